@@ -38,7 +38,8 @@
 namespace tinydem {
 typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or long double
 typedef std::vector<real> Reals;
-using std::abs, std::max, std::min, std::size_t, std::sqrt, std::string, std::to_string, std::vector;
+using std::abs, std::max, std::min, std::size_t, std::sqrt, std::string, std::to_string,
+    std::vector;
 const real pi = real(3.14159265358979323846264338327950288L);
 const real inf = std::numeric_limits<real>::infinity(), tiny = std::numeric_limits<real>::min();
 const real unset = std::numeric_limits<real>::quiet_NaN();  ///< stands for "use the formula"
@@ -53,13 +54,16 @@ template <> struct Pack<1> { typedef real type; };
 template <class T> constexpr int width = int(sizeof(T) / sizeof(real));
 template <int W> constexpr auto lanes = std::make_index_sequence<size_t(W)>();
 
-template <class M, class T> INLINE T select(const M& c, const T& a, const T& b) { return c ? a : b; }
+template <class M, class T> INLINE T select(const M& c, const T& a, const T& b) {
+  return c ? a : b;
+}
 template <class T> INLINE T smaller(const T& a, const T& b) { return select(b < a, b, a); }
 template <class T> INLINE real& lane(T& a, int l) { return reinterpret_cast<real*>(&a)[l]; }
 template <int first, class V, size_t... k> INLINE auto part(const V& a, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, a, first + int(k)...);
 }
-template <class V, size_t... k> INLINE auto join(const V& a, const V& b, std::index_sequence<k...>) {
+template <class V, size_t... k>
+INLINE auto join(const V& a, const V& b, std::index_sequence<k...>) {
   return __builtin_shufflevector(a, b, int(k)...);
 }
 template <class M> INLINE bool any(const M& mask) {
@@ -94,7 +98,9 @@ typedef Vec<real> Vec3;
 template <class S, class T> INLINE Vec<T> operator*(const S& s, const Vec<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-template <class T> INLINE T dot(const Vec<T>& a, const Vec<T>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> INLINE T dot(const Vec<T>& a, const Vec<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 template <class T> INLINE Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -121,16 +127,19 @@ template <class T> struct Columns {
   INLINE Vec<T> xyz() const { return {c[0], c[1], c[2]}; }
 };
 /// In every group of four lanes: which of p (0 ... 3) and q (4 ... 7) to pick.
-template <int... pick, class V, size_t... k> INLINE V mix(const V& p, const V& q, std::index_sequence<k...>) {
+template <int... pick, class V, size_t... k>
+INLINE V mix(const V& p, const V& q, std::index_sequence<k...>) {
   constexpr int from[] = {pick...}, other = int(sizeof...(k)) - 4;
-  return __builtin_shufflevector(p, q, int(k / 4 * 4) + from[k % 4] + (from[k % 4] > 3 ? other : 0)...);
+  return __builtin_shufflevector(p, q,
+                                 int(k / 4 * 4) + from[k % 4] + (from[k % 4] > 3 ? other : 0)...);
 }
 /// Transposes every group of four lanes of four packs: rows to columns and back.
 template <class T> INLINE void transpose(Columns<T>& m) {
   constexpr auto all = lanes<width<T>>;
   const T a = mix<0, 4, 2, 6>(m.c[0], m.c[1], all), b = mix<1, 5, 3, 7>(m.c[0], m.c[1], all);
   const T c = mix<0, 4, 2, 6>(m.c[2], m.c[3], all), d = mix<1, 5, 3, 7>(m.c[2], m.c[3], all);
-  m = {{mix<0, 1, 4, 5>(a, c, all), mix<0, 1, 4, 5>(b, d, all), mix<2, 3, 6, 7>(a, c, all), mix<2, 3, 6, 7>(b, d, all)}};
+  m = {{mix<0, 1, 4, 5>(a, c, all), mix<0, 1, 4, 5>(b, d, all), mix<2, 3, 6, 7>(a, c, all),
+        mix<2, 3, 6, 7>(b, d, all)}};
 }
 /// Rows index[0], index[4], ... behind each other in one pack of W.
 template <int W> INLINE auto concatenate(const Row* rows, const int* index) {
@@ -142,7 +151,8 @@ template <int W> INLINE auto concatenate(const Row* rows, const int* index) {
 template <class T> INLINE Columns<T> gather(const Row* rows, const int* index) {
   constexpr int W = width<T>;
   Columns<T> m;
-  if constexpr (W < 4) for (int k = 0; k < 4 * W; ++k) lane(m.c[k / W], k % W) = rows[index[k % W]].c[k / W];
+  if constexpr (W < 4)
+    for (int k = 0; k < 4 * W; ++k) lane(m.c[k / W], k % W) = rows[index[k % W]].c[k / W];
   else for (int k = 0; k < 4; ++k) m.c[k] = concatenate<W>(rows, index + k);
   if constexpr (W >= 4) transpose(m);
   return m;
@@ -205,7 +215,9 @@ struct RunError : std::runtime_error { using std::runtime_error::runtime_error; 
 struct Problems {
   string all{};
   int count = 0;
-  void add(const string& where, const string& what) { if (++count <= 20) all += "\n" + where + ": " + what; }
+  void add(const string& where, const string& what) {
+    if (++count <= 20) all += "\n" + where + ": " + what;
+  }
   void stop_if_any() const { if (count > 0) throw InputError(all.substr(1)); }
 };
 
@@ -227,7 +239,9 @@ inline bool parse(const string& token, real& a) {
 inline vector<string> split(const string& s, char separator) {
   vector<string> tokens;
   for (size_t a = 0, b; a <= s.size(); a = b + 1) {
-    size_t first = a, last = b = min(s.find_first_of(separator == ' ' ? " \t\r" : string(1, separator), a), s.size());
+    size_t first = a,
+           last = b =
+               min(s.find_first_of(separator == ' ' ? " \t\r" : string(1, separator), a), s.size());
     while (first < last && std::isspace(s[first])) ++first;
     while (first < last && std::isspace(s[last - 1])) --last;
     if (first < last || separator != ' ') tokens.push_back(s.substr(first, last - first));
@@ -243,7 +257,8 @@ struct Reader {
   Problems problems{};
   std::ifstream file;
   explicit Reader(const string& p) : path(p), file(p) {
-    if (!file || std::filesystem::is_directory(p)) throw InputError(p + ": cannot be read; check the path");
+    if (!file || std::filesystem::is_directory(p))
+      throw InputError(p + ": cannot be read; check the path");
   }
   string where() const { return path + ":" + to_string(number); }
   void complain(const string& what) { problems.add(where(), what); }
@@ -251,18 +266,23 @@ struct Reader {
     for (column = 0; std::getline(file, line);) {
       if (++number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0) line.erase(0, 3);
       line.erase(min(line.find('#'), line.size()));
-      if (line.find_first_not_of(" \t\r") != string::npos) return tokens = split(line, separator), true;
+      if (line.find_first_not_of(" \t\r") != string::npos)
+        return tokens = split(line, separator), true;
     }
     return tokens.clear(), false;
   }
   real value(const string& what, bool whole = false, real low = -inf, real high = inf) {
     const string token = column < tokens.size() ? tokens[column] : "";
     real a = 0;
-    if (++column; parse(token, a) && a >= low && a <= high && (!whole || a == std::floor(a))) return a;
-    const string range = whole ? "an integer in [" + text(low) + ", " + text(high) + "]" : "a finite number";
+    if (++column; parse(token, a) && a >= low && a <= high && (!whole || a == std::floor(a)))
+      return a;
+    const string range =
+        whole ? "an integer in [" + text(low) + ", " + text(high) + "]" : "a finite number";
     return complain(what + " = '" + token + "' must be " + range), whole ? low : 0;
   }
-  void end_line() { if (column < tokens.size()) complain("'" + tokens[column] + "' is one value too many"); }
+  void end_line() {
+    if (column < tokens.size()) complain("'" + tokens[column] + "' is one value too many");
+  }
 };
 
 /// A particle as it stands in a CSV file: position, radius [L], velocity [L/T], quaternion,
@@ -298,7 +318,8 @@ inline vector<Particle> read_particles(const string& path) {
     in.column = at.size(), in.end_line();
     if (!(a.R > 0)) in.complain("R = " + text(a.R) + " must be > 0");
     const real q = sqrt(square(a.q[0]) + square(a.q[1]) + square(a.q[2]) + square(a.q[3]));
-    if (!(abs(q - 1) < real(1e-3))) in.complain("q0 ... q3 has norm " + text(q) + ", must be 1; try 1,0,0,0");
+    if (!(abs(q - 1) < real(1e-3)))
+      in.complain("q0 ... q3 has norm " + text(q) + ", must be 1; try 1,0,0,0");
     particles.push_back(a);
   }
   return in.problems.stop_if_any(), particles;
@@ -315,7 +336,8 @@ struct Mesh {
 inline Mesh read_mesh(const string& path, size_t radii) {
   Reader in(path);
   Mesh mesh;
-  if (!in.next() || in.tokens[0] != "OFF") in.complain("must start with OFF; convert other formats");
+  if (!in.next() || in.tokens[0] != "OFF")
+    in.complain("must start with OFF; convert other formats");
   if (in.tokens.size() > 1) in.column = 1; else in.next();
   size_t count[3];
   for (size_t& c : count) c = size_t(in.value("number of vertices, faces or edges", true, 0, 2e9));
@@ -327,9 +349,11 @@ inline Mesh read_mesh(const string& path, size_t radii) {
     const int mistakes = in.problems.count;
     const auto good = [&] { return in.problems.count == mistakes; };
     Element e{int(in.value("vertices of a face", true, 1, 4)), {}, 0};
-    for (int k = 0; k < e.n && good(); ++k) e.vertex[k] = int(in.value("vertex index", true, 0, real(nv) - 1));
+    for (int k = 0; k < e.n && good(); ++k)
+      e.vertex[k] = int(in.value("vertex index", true, 0, real(nv) - 1));
     if (good() && in.column < in.tokens.size())
-      e.group = int(in.value("index into Rmesh (--Rmesh adds radii)", true, 0, real(radii) - 1)), in.end_line();
+      e.group = int(in.value("index into Rmesh (--Rmesh adds radii)", true, 0, real(radii) - 1)),
+      in.end_line();
     mesh.elements.push_back(e);
     if (e.n < 4 || !good()) continue;
     const Vec3 a = mesh.corner(e, 0), ab = mesh.corner(e, 1) - a, ad = mesh.corner(e, 3) - a;
@@ -338,8 +362,9 @@ inline Mesh read_mesh(const string& path, size_t radii) {
       in.complain("is no rectangle with its corners in order; split the face into two triangles");
   }
   if (in.problems.count == 0 && mesh.elements.size() < nf)
-    in.complain("the file ends after " + to_string(mesh.vertices.size()) + " of " + to_string(nv) + " vertices and " +
-                to_string(mesh.elements.size()) + " of " + to_string(nf) + " faces");
+    in.complain("the file ends after " + to_string(mesh.vertices.size()) + " of " + to_string(nv) +
+                " vertices and " + to_string(mesh.elements.size()) + " of " + to_string(nf) +
+                " faces");
   if (in.problems.count == 0 && in.next()) in.complain("more lines than the counts declare");
   return in.problems.stop_if_any(), mesh;
 }
@@ -355,7 +380,9 @@ inline Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
 /// The same for a triangle; a degenerate one counts as its edges.
 inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = cross(b - a, c - a);
-  const auto inside = [&](const Vec3& from, const Vec3& to) { return dot(cross(to - from, p - from), normal) >= 0; };
+  const auto inside = [&](const Vec3& from, const Vec3& to) {
+    return dot(cross(to - from, p - from), normal) >= 0;
+  };
   if (square(normal) > 0 && inside(a, b) && inside(b, c) && inside(c, a))
     return p - dot(p - a, normal) / square(normal) * normal;
   Vec3 best = closest_on_edge(p, a, b);
@@ -376,7 +403,8 @@ inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
 /// direction. What is near on the curve is near in space; far away, the curve repeats itself.
 inline std::uint64_t place_on_curve(const Vec3& x, real h) {
   const auto spread = [h](real a) {  // two free bits behind each bit
-    auto i = std::uint64_t(std::int64_t(std::floor(std::clamp(a / h, real(-1e18), real(1e18))))) & 0xfffff;
+    auto i = std::uint64_t(std::int64_t(std::floor(std::clamp(a / h, real(-1e18), real(1e18))))) &
+             0xfffff;
     i = (i | i << 32) & 0x1f00000000ffff, i = (i | i << 16) & 0x1f0000ff0000ff;
     i = (i | i << 8) & 0x100f00f00f00f00f, i = (i | i << 4) & 0x10c30c30c30c30c3;
     return (i | i << 2) & 0x1249249249249249;
@@ -399,7 +427,7 @@ struct Box {
 /// different their sizes are, and the memory follows their number, not the volume they span.
 struct Tree {
   static constexpr int leaf = 4;  // things in a box of the lowest level
-  int n = 0, first = 1;           // things; boxes[first ...] are the lowest, box k holds 2k and 2k + 1
+  int n = 0, first = 1;  // things; boxes[first ...] are the lowest, box k holds 2k and 2k + 1
   vector<Box> boxes{};
   /// add(k, box) must enlarge box by thing k.
   template <class F> void build(int things, F add) {
@@ -411,12 +439,14 @@ struct Tree {
   }
   /// Calls found(k) for every thing k >= from whose lowest box comes within reach of p; `box` has
   /// `below` lowest boxes below it (0: all).
-  template <class F> void visit(const Vec3& p, real reach, int from, F& found, int box = 1, int below = 0) const {
+  template <class F>
+  void visit(const Vec3& p, real reach, int from, F& found, int box = 1, int below = 0) const {
     if (below == 0) below = first;
     const int begin = (box * below - first) * leaf, end = min(begin + below * leaf, n);
     if (end <= max(begin, from) || !boxes[box].within(p, reach)) return;
     if (below == 1) for (int k = max(begin, from); k < end; ++k) found(k);
-    else for (const int half : {2 * box, 2 * box + 1}) visit(p, reach, from, found, half, below / 2);
+    else
+      for (const int half : {2 * box, 2 * box + 1}) visit(p, reach, from, found, half, below / 2);
   }
 };
 
@@ -457,7 +487,8 @@ struct Contact {
 struct Summary {
   long contacts = 0;
   real kinetic = 0, rotational = 0, potential = 0, elastic = 0;  // [ML^2/T^2]
-  real overlap = 0, steps = 0;  // largest delta/R; time steps in the shortest collision, see summary()
+  real overlap = 0,
+       steps = 0;  // largest delta/R; time steps in the shortest collision, see summary()
 };
 
 /// The solver. Mesh and initial particles may be empty. Throws InputError for particles that
@@ -480,7 +511,7 @@ struct Simulation {
   vector<int> id{};                // place in the order of creation
   vector<Slab> slabs{1};
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
-  real supplied = 0, radii = 0;    // energy that came in with the particles [ML^2/T^2], sum of R [L]
+  real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
 
   bool step();  // all threads of a team call these together
   void list_neighbours();
