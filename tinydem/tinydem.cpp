@@ -10,6 +10,7 @@
 // Build: g++ -std=c++17 -O3 -fopenmp -I/usr/include/eigen3 -o tinydem tinydem.cpp
 #include "tinydem.hpp"
 
+#include <functional>
 #include <map>
 #ifdef _OPENMP
 #include <omp.h>
@@ -17,9 +18,17 @@
 #ifndef TINYDEM_NO_MAIN
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
+#include <sstream>
+#if defined(__GNUC__) && !defined(__clang__)  // options need no speed: compiles in half the time
+#pragma GCC push_options
+#pragma GCC optimize("O0")
+#include <CLI/CLI.hpp>
+#pragma GCC pop_options
+#else
+#include <CLI/CLI.hpp>
+#endif
 #endif
 
 namespace tinydem {
@@ -45,9 +54,9 @@ static vector<Option> options(Parameters& p) {
   return {TINYDEM_PARAMETERS(X)};
 #undef X
 }
-static string text(const Reals& values) {
+static string text(const Reals& values, int digits = 0) {
   string all;
-  for (const real a : values) all += "," + text(a);
+  for (const real a : values) all += "," + text(a, digits);
   return all.empty() ? all : all.substr(1);
 }
 static string text(const Option& o) { return o.type == 's' ? o.word() : text(o.numbers()); }
@@ -78,6 +87,16 @@ static bool in_range(const Option& o, const Parameters& p) {
   }
   return good;
 }
+/// Number of letters to change, insert or remove between two names.
+static size_t distance(const string& a, const string& b) {
+  vector<size_t> row(b.size() + 1);
+  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (size_t i = 1; i <= a.size(); ++i)
+    for (size_t j = 1, corner = std::exchange(row[0], i); j <= b.size(); ++j)
+      corner = std::exchange(
+          row[j], min(min(row[j], row[j - 1]) + 1, corner + (a[i - 1] != b[j - 1])));
+  return row.back();
+}
 vector<Setting> read_scene(const string& path) {
   Reader in(path);
   vector<Setting> all;
@@ -87,7 +106,8 @@ vector<Setting> read_scene(const string& path) {
     if (s.name == "mesh" || s.name == "particles" || s.name == "output")
       s.text = (std::filesystem::path(path).parent_path() / s.text).string();
     for (const Setting& o : all)
-      if (o.name == s.name) in.complain("'" + s.name + "' is repeated, see " + o.where);
+      if (o.name == s.name)
+        in.complain("'" + s.name + "' is repeated, it already stands in " + o.where);
     all.push_back(s);
   }
   return in.problems.stop_if_any(), all;
@@ -100,25 +120,24 @@ Parameters resolve(const vector<Setting>& settings) {
     const std::map<char, string> shape{{'r', "a number in "},
                                        {'l', "an integer in "},
                                        {'R', "numbers in "},
-                                       {'V', "three numbers in "},
+                                       {'V', "three numbers like 0,0,-9.81 in "},
                                        {'s', "one of "}};
     problems.add(s.where, s.name + " = '" + s.text + "' must be " + shape.at(o.type) + o.range);
   };
   for (const Setting& s : settings) {
-    string similar;
-    for (const Option& o : options(p)) {
-      if (o.name == s.name && !assign(o, s.text)) complain(o, s);
-      if (o.name == s.name) used[s.name] = s;
-      if (std::tolower(o.name[0]) == std::tolower(s.name[0])) similar += string(" ") + o.name;
-    }
-    if (!used.count(s.name))
-      problems.add(s.where, "'" + s.name + "' is unknown; did you mean one of:" + similar + "?");
+    const vector<Option> table = options(p);
+    const auto closer = [&](const Option& a, const Option& b) {
+      return distance(a.name, s.name) < distance(b.name, s.name);
+    };
+    const Option& o = *std::min_element(table.begin(), table.end(), closer);
+    if (o.name != s.name)
+      problems.add(s.where, "'" + s.name + "' is unknown; did you mean '" + o.name + "'?");
+    else if (used[s.name] = s; !assign(o, s.text)) complain(o, s);
   }
-  problems.stop_if_any();
   if (std::isnan(p.mut)) p.mut = 2 * p.mus / 3;                                 // Eq. (41)
   if (std::isnan(p.dt)) p.dt = p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E);  // Eq. (50)
   for (const Option& o : options(p))
-    if (!in_range(o, p))
+    if (!in_range(o, p) && (used.count(o.name) || problems.count == 0))
       complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), "default"});
   return problems.stop_if_any(), p;
 }
@@ -260,7 +279,7 @@ static void keep_history(const Simulation& s, Slab& b, Pair& pair) {
     pair.spring = Pair::never - 1 - pair.spring;  // place <-> former place
   else
     pair.spring = count(b.springs) / s.spring_rows,
-    b.springs.resize(b.springs.size() + s.spring_rows);
+    b.springs.resize(b.springs.size() + size_t(s.spring_rows));
 }
 /// Pairs that touch, by their places in the list; walls also by (closest point|radius).
 template <int W> struct Touching {
@@ -289,7 +308,9 @@ INLINE void forces_on_pack(Simulation& s, Slab& b, const Touching<W>& touching, 
   if (any(c.delta > deepest))
     for (int l = 0; l < n; ++l)
       if (lane(c.delta, l) > lane(deepest, l))
-        fail(b, i[l], "overlaps something by more than a radius");
+        fail(b, i[l],
+             wall ? "overlaps a mesh element by more than its radius"
+                  : "overlaps another by more than a radius");
   Springs<T> u{};
   if constexpr (M::rows > 0) {
     const auto row = gather<T>(&b.springs[0], place);
@@ -391,9 +412,10 @@ INLINE void move(Simulation& s, Slab& b, int first, int n) {
     scatter(turned.xyz(), turned.c[3], &s.q[first], n);
   }
   w += dt * alpha;                                                              // Eq. (46)
-  T way = dt * norm(v), excess = norm(x - x0.xyz()) - (x0.c[3] - R);
+  T way = dt * norm(v), spin2 = square(w), excess = norm(x - x0.xyz()) - (x0.c[3] - R);
   for (int l = 0; l < n; ++l) {
     if (!(lane(way, l) <= lane(R, l))) fail(b, i[l], "moved more than its radius in one step");
+    if (!(lane(spin2, l) < inf)) fail(b, i[l], "spins too fast for a finite energy");
     b.excess = max(b.excess, lane(excess, l));
   }
   scatter(x, R, &s.x[first], n), scatter(v, m_inv, &s.v[first], n),
@@ -444,9 +466,28 @@ Simulation::Simulation(const Parameters& parameters, const Mesh& geometry,
                 : p.mus > 0 ? Compiled<Forces<Modes<1, 0, 0>>>::best()
                             : Compiled<Forces<Modes<0, 0, 0>>>::best();
   spring_rows = p.mur > 0 || printed ? 2 : p.mus > 0 || p.mut > 0 ? 1 : 0;
+  sort_elements();
+  for (const Particle& particle : initial) add(particle);
+  list_neighbours();
+  Problems problems;
+  for (const Contact& c : contacts())
+    if (!(c.delta <= c.R))
+      problems.add("particle " + to_string(c.i + 1),
+                   "overlaps " +
+                       (c.j < 0 ? "mesh element " + to_string(c.element)
+                                : "particle " + to_string(c.j + 1)) +
+                       " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it");
+  supplied += summary().elastic;
+  if (!std::isfinite(supplied))
+    problems.add("particles", "their energy is not finite; slow them down");
+  problems.stop_if_any();
+}
+/// Sorts mesh elements along a space-filling curve and puts boxes around them.
+void Simulation::sort_elements() {
   Box all;
   for (const Vec3& a : mesh.vertices) all.add(a, a, 0);
   const real cell = norm(all.high - all.low) / 100000 + tiny;
+  order.clear(), elements.clear();
   for (const Element& e : mesh.elements)
     order.push_back({place_on_curve(mesh.corner(e, 0) - all.low, cell), count(order)});
   std::sort(order.begin(), order.end());
@@ -455,18 +496,6 @@ Simulation::Simulation(const Parameters& parameters, const Mesh& geometry,
     const Element& e = mesh.elements[elements[k]];
     for (int c = 0; c < e.n; ++c) box.add(mesh.corner(e, c), mesh.corner(e, c), p.Rmesh[e.group]);
   });
-  for (const Particle& particle : initial) add(particle);
-  list_neighbours();
-  Problems problems;
-  for (const Contact& c : contacts())
-    if (!(c.delta <= c.R))
-      problems.add(
-          "particle " + to_string(c.i + 1),
-          (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
-              " overlaps it by " + text(c.delta) + ", more than a radius " + text(c.R) +
-              "; move it");
-  problems.stop_if_any();
-  supplied += summary().elastic;
 }
 void Simulation::add(const Particle& a) {
   const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
@@ -579,13 +608,13 @@ void Simulation::list_neighbours() {
 #pragma omp single
   {
     choose_reach();
-    first_pair.assign(slabs.back().last, 0), first_wall = first_pair;
+    first_pair.assign(size_t(slabs.back().last), 0), first_wall = first_pair;
     for (const Slab& b : slabs) {  // where the contacts of each particle start
       for (int c = count(b.pairs); c-- > 0;) first_pair[b.pairs[c].i] = c;
       for (int c = count(b.walls); c-- > 0;) first_wall[b.walls[c].i] = c;
     }
     old.swap(slabs);
-    slabs.assign(std::clamp(int(2 * std::cbrt(size() / 1000.0)), 1, 64), Slab());
+    slabs.assign(size_t(std::clamp(2 * std::cbrt(size() / 1000.0), 1.0, 64.0)), Slab());
     for (long k = 0, n = count(slabs); k < n; ++k)
       slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n);
     sort_particles();
@@ -725,6 +754,10 @@ struct Output : std::ofstream {
   explicit Output(const fs::path& p) : path(p), part(p.string() + ".part") {
     open(part, std::ios::binary);
   }
+  ~Output() override {
+    std::error_code ignored;
+    if (is_open()) fs::remove(part, ignored);
+  }
   void commit() {
     close();
     if (!fail()) return fs::rename(part, path);
@@ -736,6 +769,9 @@ struct Output : std::ofstream {
 static fs::path numbered(const fs::path& folder, const string& name, long frame) {
   return folder / (name + to_string(1000000 + frame).substr(1) + ".csv");
 }
+static string restart_magic() {
+  return string("TinyDEM ") + version + " " + to_string(sizeof(real)) + " ";
+}
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
   const fs::path folder = s.p.output;
@@ -744,7 +780,7 @@ static Summary write_frame(Simulation& s, long frame, double speed) {
   for (Particle& a : s.particles()) {
     Reals values;
     for (const real* c : a.columns()) values.push_back(*c);
-    particles << text(values) << "\n";
+    particles << text(values, std::numeric_limits<real>::max_digits10) << "\n";
   }
   particles.commit();
   if (s.p.contacts == "on") {
@@ -770,7 +806,7 @@ static Summary write_frame(Simulation& s, long frame, double speed) {
   if (!log.flush())
     throw RunError((folder / "log.csv").string() +
                    ": cannot be written; free some space, then --resume");
-  restart << frame << "\n";
+  restart << restart_magic() << frame << "\n";
   s.save(restart);
   return restart.commit(), e;
 }
@@ -779,8 +815,13 @@ static long resume(Simulation& s) {
   const fs::path folder = s.p.output;
   std::ifstream file(folder / "restart.bin", std::ios::binary), log(folder / "log.csv");
   string line;
-  if (!std::getline(file, line)) return 0;
-  const long frame = std::stol(line);
+  if (!fs::exists(folder / "restart.bin")) return 0;
+  std::getline(file, line);
+  const size_t magic = restart_magic().size();
+  if (line.compare(0, magic, restart_magic()) != 0)
+    throw InputError((folder / "restart.bin").string() +
+                     ": does not fit this program; use --overwrite");
+  const long frame = std::stol(line.substr(magic));
   s.load(file);
   for (long k = -1; k <= frame; ++k) std::getline(log, line);
   return fs::resize_file(folder / "log.csv", std::uintmax_t(log.tellg())), frame + 1;
@@ -790,7 +831,8 @@ static void open_folder(Parameters p, bool overwrite) {
   std::error_code error;
   const fs::path folder = p.output;
   if (fs::create_directories(folder, error); !fs::is_directory(folder))
-    throw InputError(p.output + ": cannot be made a directory; name another one");
+    throw InputError(p.output + (fs::exists(folder) ? ": is a file" : ": cannot be created") +
+                     "; name another directory");
   vector<fs::path> old;
   for (const auto& f : fs::directory_iterator(folder))
     for (const char* name : {"scene.ini", "log.csv", "restart.bin", "particles", "contacts"})
@@ -824,7 +866,7 @@ struct Command {
 static Command read_command(int argc, char** argv) {
   Command c;
   Parameters defaults;
-  std::map<string, string> given;
+  std::map<string, std::pair<string, CLI::Option*>> given;
   CLI::App app{
       "TinyDEM, teaching edition: soft spheres with sliding, rolling and twisting friction"};
   app.set_version_flag("--version", version);
@@ -832,17 +874,16 @@ static Command read_command(int argc, char** argv) {
   app.add_flag("--overwrite", c.overwrite, "replace the run in the output directory");
   app.add_flag("--resume", c.resume, "go on with the run in the output directory");
   app.add_flag("--quiet", c.quiet, "no lines on the standard output");
-  app.add_flag_callback(
-      "--contacts", [&] { given["contacts"] = "on"; }, "write the contacts of every frame");
+  const auto write_contacts = [&] { c.settings.push_back({"contacts", "on", "command line"}); };
+  app.add_flag_callback("--contacts", write_contacts, "write the contacts of every frame");
   for (const Option& o : options(defaults)) {
-    const string name = o.name, value = name == "dt"    ? "Eq. 50"
-                                        : name == "mut" ? "2/3 mus"
-                                                        : text(o);
-    const string help =
-        string(o.help) + " [" + o.dimension + "], " + o.range + ", default " + value;
-    if (name != "contacts")
-      app.add_option((string(o.range) == "path" ? "" : "--") + name, given[name], help)
-          ->type_name("");
+    if (o.name == string("contacts")) continue;
+    const string name = o.name, formula = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : "";
+    const string help = string(o.help) + " [" + o.dimension + "], " + o.range + ", default " +
+                        (formula.empty() ? text(o) : formula);
+    auto& [value, option] = given[name];
+    option = app.add_option((string(o.range) == "path" ? "" : "--") + name, value, help);
+    option->type_name("");
   }
   app.allow_extras();
   try {
@@ -851,8 +892,9 @@ static Command read_command(int argc, char** argv) {
     if (e.get_exit_code() == 0) std::exit(app.exit(e));
     throw InputError(string("command line: ") + e.what() + "; see --help");
   }
-  for (const auto& [name, value] : given)
-    if (!value.empty()) c.settings.push_back({name, value, "command line"});
+  for (const auto& [name, a] : given)  // an empty string skips a path
+    if (a.second->count() > 0 && !(a.first.empty() && a.second->get_positional()))
+      c.settings.push_back({name, a.first, "command line"});
   for (const string& extra : app.remaining())
     c.settings.push_back(
         {extra.substr(min(extra.find_first_not_of('-'), extra.size())), "", "command line"});

@@ -37,14 +37,20 @@
 
 namespace tinydem {
 typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or long double
-typedef std::vector<real> Reals;
-using std::abs, std::max, std::min, std::size_t, std::sqrt, std::string, std::to_string,
-    std::vector;
+using std::abs, std::max, std::min, std::size_t, std::sqrt, std::string, std::to_string;
 const real pi = real(3.14159265358979323846264338327950288L);
 const real inf = std::numeric_limits<real>::infinity(), tiny = std::numeric_limits<real>::min();
 const real unset = std::numeric_limits<real>::quiet_NaN();  ///< stands for "use the formula"
 const char* const version = "0.1.0";
 template <class V> int count(const V& v) { return int(v.size()); }
+/// std::vector with indices of any type of whole number.
+template <class T> struct vector : std::vector<T> {
+  using std::vector<T>::vector;
+  vector(const std::vector<T>& v) : std::vector<T>(v) {}
+  template <class I> T& operator[](I i) { return this->data()[i]; }
+  template <class I> const T& operator[](I i) const { return this->data()[i]; }
+};
+typedef vector<real> Reals;
 
 // ---------------------------------------------------------------------------------- numbers
 
@@ -223,15 +229,18 @@ struct Problems {
 
 // ------------------------------------------------------------------------------------- files
 
-/// As many digits as bring a number back bit for bit (17 in double precision).
-inline string text(real a) {
-  constexpr int digits = std::numeric_limits<real>::max_digits10;
+/// The shortest digits that bring a number back bit for bit, or a fixed number of digits.
+inline string text(real a, int digits = 0) {
   char b[64];
-  return {b, std::to_chars(b, b + 64, a, std::chars_format::general, digits).ptr};
+  const auto general = std::chars_format::general;
+  return {b,
+          (digits > 0 ? std::to_chars(b, b + 64, a, general, digits) : std::to_chars(b, b + 64, a))
+              .ptr};
 }
 /// Reads a whole token as a finite number.
 inline bool parse(const string& token, real& a) {
-  const char *first = token.c_str() + (token[0] == '+'), *last = token.c_str() + token.size();
+  const bool plus = token[0] == '+' && token[1] != '-';
+  const char *first = token.c_str() + plus, *last = token.c_str() + token.size();
   const auto [end, error] = std::from_chars(first, last, a);
   return error == std::errc() && end == last && std::isfinite(a);
 }
@@ -307,9 +316,11 @@ inline vector<Particle> read_particles(const string& path) {
   vector<size_t> at;
   for (const string& name : names) {
     at.push_back(size_t(std::find(header.begin(), header.end(), name) - header.begin()));
-    if (std::count(header.begin(), header.end(), name) != 1 || header.size() > names.size())
-      in.complain("column '" + name + "' must stand here once, and no others than " + csv_header);
+    if (std::count(header.begin(), header.end(), name) != 1)
+      in.complain("column '" + name + "' must stand here once; the header is " + csv_header);
   }
+  if (header.size() > names.size())
+    in.complain(string("unknown columns; the header is ") + csv_header);
   in.problems.stop_if_any();
   vector<Particle> particles;
   while (in.next(',')) {
@@ -339,11 +350,11 @@ inline Mesh read_mesh(const string& path, size_t radii) {
   if (!in.next() || in.tokens[0] != "OFF")
     in.complain("must start with OFF; convert other formats");
   if (in.tokens.size() > 1) in.column = 1; else in.next();
-  size_t count[3];
-  for (size_t& c : count) c = size_t(in.value("number of vertices, faces or edges", true, 0, 2e9));
-  const size_t nv = count[0], nf = count[1];
+  const auto total = [&](const char* what) { return size_t(in.value(what, true, 0, 2e9)); };
+  const size_t nv = total("number of vertices"), nf = total("number of faces");
+  total("number of edges");
   in.end_line();
-  while (in.problems.count == 0 && mesh.vertices.size() < nv && in.next())
+  while (mesh.vertices.size() < nv && in.next())
     mesh.vertices.push_back({in.value("x"), in.value("y"), in.value("z")}), in.end_line();
   while (mesh.vertices.size() == nv && mesh.elements.size() < nf && in.next()) {
     const int mistakes = in.problems.count;
@@ -359,11 +370,11 @@ inline Mesh read_mesh(const string& path, size_t radii) {
     const Vec3 a = mesh.corner(e, 0), ab = mesh.corner(e, 1) - a, ad = mesh.corner(e, 3) - a;
     const real size = norm(ab) + norm(ad), off = norm(mesh.corner(e, 2) - a - ab - ad);
     if (abs(dot(ab, ad)) > real(1e-6) * size * size || off > real(1e-6) * size)
-      in.complain("is no rectangle with its corners in order; split the face into two triangles");
+      in.complain("four vertices must be the corners of a rectangle, in order; or split the face");
   }
   if (in.problems.count == 0 && mesh.elements.size() < nf)
     in.complain("the file ends after " + to_string(mesh.vertices.size()) + " of " + to_string(nv) +
-                " vertices and " + to_string(mesh.elements.size()) + " of " + to_string(nf) +
+                " vertices, " + to_string(mesh.elements.size()) + " of " + to_string(nf) +
                 " faces");
   if (in.problems.count == 0 && in.next()) in.complain("more lines than the counts declare");
   return in.problems.stop_if_any(), mesh;
@@ -371,19 +382,23 @@ inline Mesh read_mesh(const string& path, size_t radii) {
 
 // ---------------------------------------------------------------------------------- geometry
 
-/// The point of an edge from a to b that is closest to p; also for an edge of length zero.
+/// The point of an edge from a to b that is closest to p; also for an edge of length zero. The
+/// cross products keep bodies in their plane bit for bit: components along an axis-parallel edge
+/// are p's.
 inline Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 e = b - a;
-  const real e2 = square(e), t = e2 > 0 ? dot(p - a, e) / e2 : 0;
-  return t >= 1 ? b : a + max(t, real(0)) * e;
+  const real e2 = square(e), along = dot(p - a, e);
+  return along <= 0 ? a : along >= e2 ? b : p - 1 / e2 * cross(e, cross(p - a, e));
 }
-/// The same for a triangle; a degenerate one counts as its edges.
+/// The same for a triangle. One that is flatter than the root of the rounding error counts as its
+/// edges: beyond that its normal means less than they do.
 inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = cross(b - a, c - a);
   const auto inside = [&](const Vec3& from, const Vec3& to) {
     return dot(cross(to - from, p - from), normal) >= 0;
   };
-  if (square(normal) > 0 && inside(a, b) && inside(b, c) && inside(c, a))
+  const real flat = std::numeric_limits<real>::epsilon() * square(b - a) * square(c - a);
+  if (square(normal) > flat && inside(a, b) && inside(b, c) && inside(c, a))
     return p - dot(p - a, normal) / square(normal) * normal;
   Vec3 best = closest_on_edge(p, a, b);
   for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)})
@@ -394,9 +409,9 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   const Vec3& a = m.corner(e, 0);
   if (e.n == 1) return a;
-  if (e.n == 2) return closest_on_edge(p, a, m.corner(e, 1));
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
-  return closest_on_edge(p, a, m.corner(e, 1)) + closest_on_edge(p, a, m.corner(e, 3)) - a;
+  const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
+  return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a));
 }
 
 /// Place of a point on a space-filling curve through cells of edge h: 20 interleaved bits for each
@@ -518,6 +533,7 @@ struct Simulation {
   void find_pairs(Slab& b);  // one thread calls these
   void choose_reach();
   void sort_particles();
+  void sort_elements();
   void spawn();
   void add(const Particle& particle);
   bool is_free(const Vec3& centre, real R) const;

@@ -1,0 +1,207 @@
+// The neighbour list against all pairs, in every step; friction springs when the list is built anew;
+// the memory of the search.
+#include <map>
+
+#include "test_support.hpp"
+
+using namespace tinydem;
+
+typedef std::pair<int, int> Key;  // indices in the order of creation; of a wall: particle, ~element
+
+/// What is wrong with the list that a step used, seen from the positions before that step.
+struct Verdict {
+  long missing = 0, misplaced = 0, repeated = 0, touching = 0;
+};
+static Verdict judge_step(Simulation& s) {
+  const vector<Particle> before = s.particles();
+  s.run(1);
+  std::map<Key, int> listed;
+  vector<int> slab_of(before.size());
+  Verdict result;
+  for (size_t k = 0; k < s.slabs.size(); ++k)
+    for (int i = s.slabs[k].first; i < s.slabs[k].last; ++i) slab_of[size_t(s.id[size_t(i)])] = int(k);
+  for (const Slab& b : s.slabs) {
+    for (const Pair& c : b.pairs) {
+      const int i = s.id[size_t(c.i)], j = s.id[size_t(c.j)];
+      ++listed[{min(i, j), max(i, j)}], result.misplaced += c.i < b.first || c.i >= b.last || i == j;
+    }
+    for (const Pair& c : b.walls)
+      ++listed[{s.id[size_t(c.i)], ~c.j}], result.misplaced += c.i < b.first || c.i >= b.last;
+  }
+  // Once; a pair of two slabs once in each of them.
+  for (const auto& [key, count] : listed)
+    result.repeated += count != (key.second < 0 || slab_of[size_t(key.first)] == slab_of[size_t(key.second)] ? 1 : 2);
+  const auto look = [&](size_t i, int partner, const Vec3& x, real R) {
+    if (square(before[i].x - x) >= square(before[i].R + R)) return;
+    ++result.touching, result.missing += !listed.count({int(i), partner});
+  };
+  for (size_t i = 0; i < before.size(); ++i) {
+    for (size_t j = i + 1; j < before.size(); ++j) look(i, int(j), before[j].x, before[j].R);
+    for (size_t k = 0; k < s.mesh.elements.size(); ++k) {
+      const Element& e = s.mesh.elements[k];
+      look(i, ~int(k), closest_point(s.mesh, e, before[i].x), s.p.Rmesh[size_t(e.group)]);
+    }
+  }
+  return result;
+}
+static void check_list(Simulation s, int steps, long contacts) {
+  Verdict sum;
+  for (int k = 0; k < steps; ++k) {
+    const Verdict v = judge_step(s);
+    sum.missing += v.missing, sum.misplaced += v.misplaced;
+    sum.repeated += v.repeated, sum.touching += v.touching;
+  }
+  CHECK(sum.missing == 0);
+  CHECK(sum.misplaced == 0);
+  CHECK(sum.repeated == 0);
+  CHECK(sum.touching >= contacts);  // it was a test
+  if (steps > 1) CHECK(s.rebuilds > 3);
+}
+
+/// Spheres at random places, radii evenly spread over the orders of magnitude. The smaller one of two
+/// may have a fifth of its radius in the other, and in the mesh.
+static Simulation cloud(Random& random, int n, real ratio, const Vec3& box, const Mesh& mesh, const vector<Particle>& more = {}) {
+  Parameters p = scene("Rmax = 0.01; Rmin = " + text(real(0.01) / ratio));
+  vector<Particle> all = more;
+  for (int k = 0; k < 10000 && all.size() < size_t(n) + more.size(); ++k) {
+    const real R = real(0.01) * std::pow(ratio, -random(0, 1));
+    const Vec3 x{random(-1, 1) * box.x, random(-1, 1) * box.y, random(-1, 1) * box.z};
+    bool free = true;
+    for (const Particle& a : all) free = free && norm(a.x - x) > a.R + R - min(a.R, R) / 5;
+    for (const Element& e : mesh.elements)
+      free = free && norm(closest_point(mesh, e, x) - x) > p.Rmesh[size_t(e.group)] + real(0.8) * R;
+    if (free) all.push_back(ball(x, R, random.vector(1), random.vector(1 / R)));
+  }
+  return Simulation(p, mesh, all);
+}
+
+TEST_CASE("exact: neighbour list of a gas in three dimensions, two, and one") {
+  Random random(1);
+  const real a = real(0.1);
+  check_list(Simulation(scene(""), open_box(a, a, -a), swarm(8)), 60, 1000);
+  for (const Vec3& box : {Vec3{a, a, a}, Vec3{a, a, 0}, Vec3{0, 2 * a, a}, Vec3{30 * a, 0, 0}, Vec3{0, 0, 30 * a}})
+    check_list(cloud(random, 100, 2, box, one_element({box, 2 * box})), 60, 40);
+}
+TEST_CASE("exact: neighbour list of very different sizes") {
+  Random random(2);
+  for (const real ratio : {10, 50}) {
+    const real R = real(0.01) * ratio;  // the largest is still a grain to the giant that flies into them
+    const Particle giant = ball({0, 0, -R - real(0.04)}, R, {0, 0, 1});
+    const real a = real(0.04);
+    check_list(cloud(random, 300, ratio, {a, a, a}, open_box(a, a, -a), {giant}), 300, 1000);
+  }
+}
+TEST_CASE("exact: neighbour list far apart, far from the origin and on its negative side") {
+  for (const real away : {1e6, 1e9}) {
+    vector<Particle> all;
+    for (const real side : {-1, 0, 1})
+      for (Particle a : swarm(3)) a.x += side * away * Vec3{real(0.02), real(-0.02), real(0.02)}, all.push_back(a);
+    check_list(Simulation(scene(""), {}, all), 100, 900);
+  }
+}
+TEST_CASE("exact: neighbour list with a fast particle") {
+  const real d = real(0.022), R = real(0.006);
+  vector<Particle> all;
+  for (int k = 0; k < 160; ++k)
+    all.push_back(ball({d * real(k % 4), d * real(k / 4 % 4), d * real(k / 16)}, real(0.01), {}));
+  const Parameters p = scene("mus = 0; mur = 0");
+  all.push_back(ball({d / 2, d / 2, -d}, R, {0, 0, real(0.9) * R / p.dt}));  // grazes all layers
+  check_list(Simulation(p, {}, all), 60, 40);
+}
+TEST_CASE("exact: neighbour list of several slabs") {
+  vector<Particle> all = swarm(15);
+  all.push_back(ball({0, 0, real(-0.37)}, real(0.2), {0, 0, 1}));
+  Simulation s(scene(""), open_box(real(0.17), 1, real(-0.5)), all);
+  CHECK(s.slabs.size() > 1);
+  check_list(s, 50, 5000);
+}
+TEST_CASE("exact: neighbour list of 300 small random clouds") {
+  Random random(5);
+  Verdict sum;
+  for (int k = 0; k < 300; ++k) {
+    const real size = real(0.005) * std::pow(real(10), random(0, 2)), ratio = std::pow(real(10), random(0, 3));
+    const Mesh mesh = one_element({random.vector(size), random.vector(size), random.vector(size)});
+    Simulation s = cloud(random, int(random(0, 20)), ratio, {size, size, size}, mesh);
+    const Vec3 shift = random.vector(std::pow(real(10), random(-3, 3)));
+    for (Row& x : s.x) x += Row(shift);
+    for (Vec3& x : s.mesh.vertices) x += shift;
+    s.sort_elements(), s.stale = true;
+    const Verdict v = judge_step(s);
+    sum.missing += v.missing, sum.misplaced += v.misplaced, sum.repeated += v.repeated, sum.touching += v.touching;
+  }
+  CHECK(sum.missing + sum.misplaced + sum.repeated == 0);
+  CHECK(sum.touching > 100);
+}
+
+/// The springs of all contacts as the particle that was created first sees them.
+static std::map<Key, vector<real>> springs(const Simulation& s, long& mirrored, long& different) {
+  std::map<Key, vector<real>> all;
+  const auto read = [&](const Slab& b, const Pair& c, bool wall) {
+    if (c.spring <= Pair::never) return;
+    int i = s.id[size_t(c.i)], j = wall ? ~c.j : s.id[size_t(c.j)];
+    const Row* rows = &b.springs[size_t(c.spring * s.spring_rows)];
+    Vec3 us = rows[0].xyz(), ur = rows[1].xyz();
+    if (!wall && i > j) std::swap(i, j), us = -us;
+    const vector<real> springs{us.x, us.y, us.z, rows[0].c[3], ur.x, ur.y, ur.z};
+    const auto [place, fresh] = all.insert({{i, j}, springs});
+    mirrored += !fresh, different += !fresh && place->second != springs;  // kept by both slabs
+  };
+  for (const Slab& b : s.slabs) {
+    for (const Pair& c : b.pairs) read(b, c, false);
+    for (const Pair& c : b.walls) read(b, c, true);
+  }
+  return all;
+}
+TEST_CASE("exact: springs survive a new list and a new order of particles") {
+  Simulation s(scene("g = 0,0,-9.81"), open_box(real(0.17), 1, real(-0.18)), swarm(15));
+  long mirrored = 0, different = 0, reordered = 0;
+  s.run(20);
+  for (int k = 0; k < 10; ++k) {
+    s.run(20);
+    const auto before = springs(s, mirrored, different);
+    const vector<int> order = s.id;
+    s.stale = true;
+    s.list_neighbours();
+    CHECK(before.size() > 100);
+    CHECK(springs(s, mirrored, different) == before);
+    reordered += s.id != order;
+  }
+  CHECK(different == 0);
+  CHECK(mirrored > 100);
+  CHECK(reordered > 5);
+}
+TEST_CASE("exact: a shearing pile moves alike when the list is built anew again and again") {
+  for (const string settings : {"", "mur = 0", "mus = 0; mur = 0", "scheme = paper; dt = 1e-5"}) {
+    const Parameters p = scene("g = 3,2,-9.81; mus = 0.5; Rmesh = 0.01; " + settings);
+    const real R = real(0.01);  // three spheres on the floor and one on top, on their way through cells
+    vector<Particle> pile;
+    for (const Vec3& x : {Vec3{-1, 0, 2}, Vec3{real(0.98), 0, 2}, Vec3{0, real(1.7), 2}, Vec3{0, real(0.55), real(3.6)}})
+      pile.push_back(ball(R * x, R, {3, 2, 0}, {0, 0, 20}));
+    Simulation calm(p, open_box(5, 1), pile), restless(p, open_box(5, 1), pile);
+    Largest worst;
+    bool reordered = false;
+    long contacts = 0;
+    for (int k = 0; k < 400; ++k) {
+      restless.stale = k % 3 != 0;
+      calm.run(1), restless.run(1);
+      contacts += calm.summary().contacts, reordered = reordered || restless.id != vector<int>{0, 1, 2, 3};
+      const vector<Particle> a = calm.particles(), b = restless.particles();
+      for (size_t i = 0; i < a.size(); ++i) worst(a[i].x, b[i].x, R), worst(a[i].w, b[i].w, 100);
+    }
+    CAPTURE(settings);
+    CHECK(worst.error < 1e-12);  // measured 0: even the order of sums is the same
+    CHECK(restless.rebuilds > calm.rebuilds + 200);
+    CHECK(reordered);
+    CHECK(contacts > 1000);
+  }
+}
+
+TEST_CASE("exact: memory of the search depends on the number of particles alone") {
+  const real R = real(0.01);
+  vector<Particle> two = {ball({}, R), ball({real(2e6) * R, real(2e6) * R, real(2e6) * R}, R)};
+  CHECK(Simulation(scene(""), {}, two).particle_tree.boxes.size() <= 8);
+  vector<Particle> many = swarm(10);
+  many.push_back(ball({0, 0, -1000}, 999));
+  const Simulation s(scene(""), {}, many);
+  CHECK(s.particle_tree.boxes.size() <= 2 * many.size());
+}
