@@ -63,8 +63,6 @@ TEST_CASE("exact: a run stops at a particle that is too fast, too deep in anothe
   const Case cases[] = {
       {"", {far, ball({}, R, {0, 0, real(0.99) * fast})}, {}},
       {"particle 2 moved more than its radius", {far, ball({}, R, {0, 0, real(1.01) * fast})}, {}},
-      {"particle 2 moved more than its radius", {far, ball({}, R, {0, inf, 0})}, {}},
-      {"particle 2 moved more than its radius", {far, ball({}, R, {nan, 0, 0})}, {}},
       {"overlaps another by more than a radius", pair(real(0.4) * fast), {}},
       {"particle 2 overlaps a mesh element by more than its radius",
        {far, ball({0, 0, real(1.2) * R}, R, {0, 0, real(-0.6) * fast})}, point}};
@@ -75,6 +73,14 @@ TEST_CASE("exact: a run stops at a particle that is too fast, too deep in anothe
     CHECK(message.empty() == c.expected.empty());
     CHECK(has(message, c.expected));
     if (!message.empty()) CHECK(has(message, "try a smaller --dt"));
+  }
+  for (const real bad : {inf, nan}) {
+    CHECK_THROWS_AS(Simulation(p, {}, {far, ball({}, R, {0, bad, 0})}), InputError);
+    CHECK_THROWS_AS(Simulation(p, {}, {far, ball({}, R, {}, {0, 0, bad})}), InputError);
+    Simulation moving(p, {}, {far, ball({}, R)}), spinning = moving;
+    moving.v[1].c[1] = bad, spinning.w[1].c[1] = bad;
+    CHECK(has(failure(moving, 5), "moved more than its radius"));
+    CHECK(has(failure(spinning, 5), "spins too fast"));
   }
 }
 TEST_CASE("exact: a run that failed stays failed") {
