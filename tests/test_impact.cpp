@@ -12,9 +12,10 @@ struct Momenta {
 };
 static Momenta momenta(const Simulation& s) {
   Momenta a;
-  for (size_t i = 0; i < s.x.size(); ++i) {
-    const real m = 1 / s.v[i].c[3], R = s.x[i].c[3];
-    const Vec3 p = m * s.v[i].xyz(), l = cross(s.x[i].xyz(), p) + real(0.4) * m * R * R * s.w[i].xyz();
+  for (size_t i = 0; i < s.grains.size(); ++i) {
+    const Grain& g = s.grains[i];
+    const real m = 1 / g.m_inv, R = g.R;
+    const Vec3 p = m * g.v, l = cross(g.x, p) + real(0.4) * m * R * R * g.w;
     a.linear += p, a.linear_size += norm(p);
     a.angular += l, a.angular_size += norm(l);
   }

@@ -14,8 +14,8 @@ TEST_CASE("exact: free fall") {
   for (const long n : {1, 10, 100, 1000}) {  // v = v0 + n g dt, x = x0 + n dt v0 + g dt^2 n(n + 1)/2
     s.run(n - s.steps);
     const real t = real(n) * p.dt;
-    worst(s.v[0].xyz(), v0 + t * p.g, norm(v0));
-    worst(s.x[0].xyz(), x0 + t * v0 + real(n + 1) * p.dt * t / 2 * p.g, norm(x0));
+    worst(s.grains[0].v, v0 + t * p.g, norm(v0));
+    worst(s.grains[0].x, x0 + t * v0 + real(n + 1) * p.dt * t / 2 * p.g, norm(x0));
   }
   CHECK(worst.error < 2e-13);  // measured 3.6e-14
 }
@@ -42,7 +42,8 @@ TEST_CASE("exact: Stokes drag on fall and spin") {
 }
 
 static Eigen::Quaternion<real> orientation(const Simulation& s) {
-  return {s.q[0].c[0], s.q[0].c[1], s.q[0].c[2], s.q[0].c[3]};
+  const auto q = s.particles()[0].q;
+  return {q[0], q[1], q[2], q[3]};
 }
 static Eigen::Quaternion<real> rotation(real angle, const Vec3& axis) {
   return Eigen::Quaternion<real>(Eigen::AngleAxis<real>(angle, Eigen::Matrix<real, 3, 1>(axis.x, axis.y, axis.z)));
@@ -55,7 +56,7 @@ TEST_CASE("exact: two quarter turns about the axes of the laboratory") {
       const real spin = pi / 2 / (real(steps) * p.dt);
       Simulation s(p, {}, {ball({}, 1, {}, spin * x)});
       s.run(steps);
-      s.w[0] = Row(spin * y, 1);
+      s.grains[0].w = spin * y;
       s.run(steps);
       const auto turns = scheme == "paper" ? rotation(pi / 2, x) * rotation(pi / 2, y)   // Eq. (47)
                                            : rotation(pi / 2, y) * rotation(pi / 2, x);  // [D3]
@@ -78,7 +79,7 @@ TEST_CASE("exact: angle of a spin that drag slows down") {
 TEST_CASE("exact: the norm of a quaternion does not drift") {
   Simulation s(scene("dt = 1e-3; eta = 1e-6"), {}, {ball({}, real(0.01), {}, {30, -20, 10})});
   for (int k = 0; k < 10; ++k) {
-    s.w[0] = Row(s.w[0].xyz() + Vec3{real(k), 20 * real(k % 3), -3}, s.w[0].c[3]);
+    s.grains[0].w += Vec3{real(k), 20 * real(k % 3), -3};
     s.run(10000);
   }
   CHECK(std::abs(orientation(s).norm() - 1) < 5e-12);  // measured 8.1e-13 after 1e5 steps

@@ -78,7 +78,7 @@ TEST_CASE("exact: a run stops at a particle that is too fast, too deep in anothe
     CHECK_THROWS_AS(Simulation(p, {}, {far, ball({}, R, {0, bad, 0})}), InputError);
     CHECK_THROWS_AS(Simulation(p, {}, {far, ball({}, R, {}, {0, 0, bad})}), InputError);
     Simulation moving(p, {}, {far, ball({}, R)}), spinning = moving;
-    moving.v[1].c[1] = bad, spinning.w[1].c[1] = bad;
+    moving.grains[1].v.y = bad, spinning.grains[1].w.y = bad;
     CHECK(has(failure(moving, 5), "moved more than its radius"));
     CHECK(has(failure(spinning, 5), "spins too fast"));
   }

@@ -1,53 +1,21 @@
-// TinyDEM, teaching edition: the physics of the solver.
-//
-//   1 parameters     Table 2 as scene files, options and --help
-//   2 contact law    Eqs. (5)-(41), (51)-(55): pure functions, to be read beside the paper
-//   3 time step      forces, Eqs. (42)-(49), neighbour list, spawning
-//   4 program        frames, log, restart, command line
-//
-// Equation numbers: R. Vetter, TinyDEM, Comput. Phys. Commun. (2025) 109942. [D1]-[D3] mark the
-// three statements in which --scheme consistent differs from the printed one (docs/deviations.md).
-// Build: g++ -std=c++17 -O3 -fopenmp -I/usr/include/eigen3 -o tinydem tinydem.cpp
+// TinyDEM, teaching edition: the physics of the solver. Equation numbers: R. Vetter, TinyDEM,
+// Comput. Phys. Commun. (2025) 109942. [D1]-[D3] mark the three statements in which --scheme
+// consistent differs from the printed algorithm, see docs/deviations.md. Build:
+// g++ -std=c++17 -O3 -fopenmp -I/usr/include/eigen3 -o tinydem tinydem.cpp
 #include "tinydem.hpp"
-
-#include <functional>
 #include <map>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
-#ifndef TINYDEM_NO_MAIN
-#include <unistd.h>
-
-#include <chrono>
-#include <iostream>
-#include <sstream>
-#if defined(__GNUC__) && !defined(__clang__)  // options need no speed: compiles in half the time
-#pragma GCC push_options
-#pragma GCC optimize("O0")
-#include <CLI/CLI.hpp>
-#pragma GCC pop_options
-#else
-#include <CLI/CLI.hpp>
-#endif
-#endif
-
 namespace tinydem {
-
 // ------------------------------------------------------------------------------ 1 parameters
-
 /// A parameter; type is the first letter of its type in the table.
 struct Option {
-  const char *name, *dimension, *range, *help;
-  void* at;
-  char type;
-  Reals& list() const { return *static_cast<Reals*>(at); }
-  long& whole() const { return *static_cast<long*>(at); }
-  string& word() const { return *static_cast<string*>(at); }
-  real* first() const { return static_cast<real*>(at); }
+  const char *name, *dimension, *range, *help; void* at; char type;
+  template <class T> T& as() const { return *static_cast<T*>(at); }
   Reals numbers() const {
-    return type == 's' ? Reals() : type == 'R' ? list() : type == 'l' ? Reals{real(whole())}
-                       : Reals(first(), first() + (type == 'V' ? 3 : 1));
-  }
+    return type == 's' ? Reals() : type == 'R' ? as<Reals>() : type == 'l' ? Reals{real(as<long>())}
+                       : Reals(&as<real>(), &as<real>() + (type == 'V' ? 3 : 1)); }
 };
 static vector<Option> options(Parameters& p) {
 #define X(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
@@ -55,121 +23,104 @@ static vector<Option> options(Parameters& p) {
 #undef X
 }
 static string text(const Reals& values, int digits = 0) {
-  string all;
-  for (const real a : values) all += "," + text(a, digits);
-  return all.empty() ? all : all.substr(1);
+  string s;
+  for (const real& a : values) s += (&a == &values[0] ? "" : ",") + text(a, digits);
+  return s;
 }
-static string text(const Option& o) { return o.type == 's' ? o.word() : text(o.numbers()); }
-
+static string text(const Option& o) { return o.type == 's' ? o.as<string>() : text(o.numbers()); }
 /// Stores the text of a setting; false when it is malformed.
 static bool assign(const Option& o, const string& s) {
   const auto words = split(o.range, '|');
-  if (o.type == 's')
-    return o.word() = s, words.size() == 1 || std::count(words.begin(), words.end(), s) > 0;
+  const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s);
+  if (o.type == 's') return o.as<string>() = s, known;
   Reals a;
-  for (const string& token : split(s, ','))
-    if (a.push_back(0); !parse(token, a.back())) return false;
-  if (o.type == 'R') return o.list() = a, true;
+  for (const string& word : split(s, ',')) if (a.push_back(0); !parse(word, a.back())) return false;
+  if (o.type == 'R') return o.as<Reals>() = a, true;
   if (a.size() != o.numbers().size()) return false;
-  if (o.type != 'l') return std::copy(a.begin(), a.end(), o.first()), true;
-  return a[0] == std::floor(a[0]) && abs(a[0]) < real(4e18) && (o.whole() = long(a[0]), true);
+  if (o.type != 'l') return std::copy(a.begin(), a.end(), &o.as<real>()), true;
+  return a[0] == std::floor(a[0]) && abs(a[0]) < real(4e18) && (o.as<long>() = long(a[0]), true);
 }
-/// Are the numbers of an option in its range, e.g. "(-1, 0.5]" or "[Rmin, inf)"?
+/// Are the numbers of an option in its range, e.g. "(-1, 0.5]", "[Rmin, inf)"?
 static bool in_range(const Option& o, const Parameters& p) {
-  const string range = o.range, low = range.substr(1, range.find(',') - 1);
-  const real *smin = &p.smin.x, high = std::strtof(&range[range.find(',') + 1], nullptr);
-  bool good = true;
-  for (const real a : o.numbers()) {
-    const real from = low == "Rmin"   ? p.Rmin
-                      : low == "smin" ? *smin++
-                                      : std::strtof(&low[0], nullptr);
-    good = good && a >= from && (range[0] == '[' || a > from) && a <= high;
-  }
-  return good;
+  double low = -HUGE_VAL, high = HUGE_VAL; std::sscanf(o.range + 1, "%lf, %lf", &low, &high);
+  const Reals a = o.numbers();
+  for (const real v : a)
+    if (!(v >= real(low) && v <= real(high)) || (v == real(low) && *o.range == '(')) return false;
+  return (o.at != &p.Rmax || a[0] >= p.Rmin) &&
+         (o.at != &p.smax || (a[0] >= p.smin.x && a[1] >= p.smin.y && a[2] >= p.smin.z));
 }
 /// Number of letters to change, insert or remove between two names.
 static size_t distance(const string& a, const string& b) {
-  vector<size_t> row(b.size() + 1);
-  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  vector<size_t> d(b.size() + 1); for (size_t j = 0; j <= b.size(); ++j) d[j] = j;
   for (size_t i = 1; i <= a.size(); ++i)
-    for (size_t j = 1, corner = std::exchange(row[0], i); j <= b.size(); ++j)
-      corner = std::exchange(
-          row[j], min(min(row[j], row[j - 1]) + 1, corner + (a[i - 1] != b[j - 1])));
-  return row.back();
+    for (size_t j = 1, was = std::exchange(d[0], i); j <= b.size(); ++j)
+      was = std::exchange(d[j], min({d[j] + 1, d[j - 1] + 1, was + (a[i - 1] != b[j - 1])}));
+  return d.back();
 }
 vector<Setting> read_scene(const string& path) {
-  Reader in(path);
-  vector<Setting> all;
+  Reader in(path); vector<Setting> all;
   while (in.next('=')) {
     if (in.tokens.size() != 2) in.complain("'" + in.line + "' must be name = value");
     Setting s{in.tokens[0], in.tokens.back(), in.where()};
     if (s.name == "mesh" || s.name == "particles" || s.name == "output")
       s.text = (std::filesystem::path(path).parent_path() / s.text).string();
     for (const Setting& o : all)
-      if (o.name == s.name)
-        in.complain("'" + s.name + "' is repeated, it already stands in " + o.where);
-    all.push_back(s);
-  }
+      if (o.name == s.name) in.complain("'" + s.name + "' is repeated, it stands in " + o.where);
+    all.push_back(s); }
   return in.problems.stop_if_any(), all;
 }
+static real default_step(const Parameters& p) {
+  return p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E);                        // Eq. (50)
+}
 Parameters resolve(const vector<Setting>& settings) {
-  Parameters p;
-  Problems problems;
-  std::map<string, Setting> used;
+  Parameters p; Problems problems; std::map<string, Setting> used;
   const auto complain = [&](const Option& o, const Setting& s) {
-    const std::map<char, string> shape{{'r', "a number in "},
-                                       {'l', "an integer in "},
-                                       {'R', "numbers in "},
-                                       {'V', "three numbers like 0,0,-9.81 in "},
-                                       {'s', "one of "}};
-    problems.add(s.where, s.name + " = '" + s.text + "' must be " + shape.at(o.type) + o.range);
-  };
+    const char* shape = o.type == 'r' ? "a number in " : o.type == 'l' ? "an integer in "
+        : o.type == 'R' ? "numbers in " : o.type == 's' ? "one of " : "three numbers (0,0,1) in ";
+    problems.add(s.where, s.name + " = '" + s.text + "' must be " + shape + o.range); };
+  const vector<Option> table = options(p);
   for (const Setting& s : settings) {
-    const vector<Option> table = options(p);
-    const auto closer = [&](const Option& a, const Option& b) {
-      return distance(a.name, s.name) < distance(b.name, s.name);
-    };
-    const Option& o = *std::min_element(table.begin(), table.end(), closer);
-    if (o.name != s.name)
+    const auto off = [&](const Option& o) { return distance(o.name, s.name); };
+    const Option& o = *std::min_element(table.begin(), table.end(),
+                                        [&](auto& a, auto& b) { return off(a) < off(b); });
+    if (s.name != o.name)
       problems.add(s.where, "'" + s.name + "' is unknown; did you mean '" + o.name + "'?");
-    else if (used[s.name] = s; !assign(o, s.text)) complain(o, s);
-  }
+    else if (used[s.name] = s; !assign(o, s.text)) complain(o, s); }
   if (std::isnan(p.mut)) p.mut = 2 * p.mus / 3;                                 // Eq. (41)
-  if (std::isnan(p.dt)) p.dt = p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E);  // Eq. (50)
-  for (const Option& o : options(p))
+  if (std::isnan(p.dt)) p.dt = default_step(p);
+  for (const Option& o : table)
     if (!in_range(o, p) && (used.count(o.name) || problems.count == 0))
       complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), "default"});
   return problems.stop_if_any(), p;
 }
-
 // ---------------------------------------------------------------------------- 2 contact law
-//
-//        i          d = x_i - x_j points from j to i, n = d/|d|; forces act on i, and
-//      ( ^ )        with the opposite sign on j. T is a number or a pack of W numbers:
-//       -n-  delta  to change the law, write `select(condition, a, b)` where you would
-//      (   )        write `if`, e.g. an attraction that ends at a depth h:
-//        j            fn = fn - select(c.delta < h, F0 + T(), T());
-
-/// Constants of the law between two particles; a wall is infinitely stiff, which doubles Estar and
-/// Gstar.
-template <class S> Material<S> material(const Parameters& p, bool wall) {
-  const S E = S(p.E), nu = S(p.nu), en = S(p.en);
-  const S bodies = wall ? 1 : 2;
-  Material<S> m;
-  m.Estar = E / (bodies * (1 - nu * nu));                                       // Eqs. (15, 22)
-  m.Gstar = E / (bodies * 2 * (2 - nu) * (1 + nu));                             // Eqs. (16, 23)
-  m.beta = 1 / std::sqrt(1 + std::pow(S(pi) / std::log(en), S(2)));             // Eq. (21)
+//     i          d = x_i - x_j points from j to i, n = d/|d|; forces act on i, and with the
+//   ( ^ )        opposite sign on j. T is the type of one number. The compiler turns these lines
+//    -n-  delta  into vector instructions: to change the law, write `select(condition, a, b)`
+//   (   )        where you would write `if`, e.g. for an attraction of range h:
+//     j          fn = fn - select(c.delta < h, F0, T(0));
+template <class T> INLINE T select(bool c, T a, T b) { return c ? a : b; }
+template <class T> INLINE Vec<T> select(bool c, const Vec<T>& a, const Vec<T>& b) {
+  return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z)};
+}
+template <class T> Material<T> material_of(const Parameters& p) {
+  const T E = T(p.E), nu = T(p.nu), en = T(p.en);
+  Material<T> m;
+  m.Estar = E / (2 * (1 - nu * nu));                                            // Eq. (15)
+  m.Gstar = E / (4 * (2 - nu) * (1 + nu));                                      // Eq. (16)
+  m.beta = 1 / std::sqrt(1 + std::pow(T(pi) / std::log(en), T(2)));             // Eq. (21)
   m.cs_cn = std::sqrt((1 - nu) / (10 * (2 - nu)));                              // Eq. (25)
-  m.mus = S(p.mus), m.mur = S(p.mur), m.mut = S(p.mut), m.dt = S(p.dt);
+  m.mus = T(p.mus), m.mur = T(p.mur), m.mut = T(p.mut), m.dt = T(p.dt);
   return m;
 }
-
-/// Position, radius, velocity, 1/m, angular velocity, 1/R (walls: 1/m = 1/R = 0).
-template <class T> struct Body { Vec<T> x; T R; Vec<T> v; T m_inv; Vec<T> w; T R_inv; };
-/// Geometry and relative motion of a contact.
-template <class T> struct Approach { T delta, ri, rj, Rstar, mstar, vn, vt; Vec<T> n, vs, vr; };
-template <bool wall, class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) {
+/// Geometry and relative motion of a contact; R: the smaller radius, stiff: 2 at a wall, else 1.
+template <class T> struct Approach { T delta, R, ri, rj, Rstar, mstar, vn, vt, stiff; Vec<T> n, vs,
+    vr; };
+template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) {
   Approach<T> c;
+  const bool wall = j.R_inv == 0;
+  c.R = select(wall, i.R, min(i.R, j.R));
+  c.stiff = select(wall, T(2), T(1));                                           // Eqs. (22, 23)
   const Vec<T> d = i.x - j.x;                                                   // Eq. (8)
   const T distance = norm(d);
   c.delta = i.R + j.R - distance;                                               // Eq. (7)
@@ -182,767 +133,495 @@ template <bool wall, class T> INLINE Approach<T> approach(const Body<T>& i, cons
   c.vn = dot(v, c.n);                                                           // Eq. (27)
   c.vs = v - c.vn * c.n;                                                        // Eq. (28)
   const Vec<T> w = i.w - j.w;                                                   // Eq. (38)
-  const T r = wall ? c.ri : c.ri * c.rj / (c.ri + c.rj);
+  const T r = select(wall, c.ri, c.ri * c.rj / (c.ri + c.rj));
   c.vr = r * cross(w, c.n);                                                     // Eq. (36)
   c.vt = c.Rstar * dot(w, c.n);                                                 // Eq. (37)
   return c;
 }
-
-/// The history of a contact: displacements of the three friction springs [L], Eq. (51).
-template <class T> struct Springs { Vec<T> us, ur; T ut; };
 /// Turns a spring into the tangent plane and keeps its length, Eq. (52).
 template <class T> INLINE Vec<T> turn(const Vec<T>& u, const Vec<T>& n) {
   const Vec<T> flat = u - dot(u, n) * n;
   const T scale = sqrt(square(u) / square(flat));
-  return select(square(flat) > T(), scale * flat, flat);
+  return select(square(flat) > 0, scale * flat, flat);
 }
-
-/// Stiffness, damping and largest force of one friction mode.
-template <class T> struct Mode { T k, c, limit; };
+/// Stiffness, damping, largest force and time step of one friction mode.
+template <class T> struct Mode { T k, c, limit, dt; };
 /// Force of one friction mode m; advances its spring. V: a vector (s, r) or a number (t).
-template <bool printed, class T, class V, class S>
-INLINE V friction(V& u, const V& v, const Mode<T>& m, const S& dt) {
-  if (!printed) u += dt * v;                                                    // Eq. (53) [D1]
+template <class M, class T, class V> INLINE V friction(V& u, const V& v, const Mode<T>& m) {
+  if (!M::printed) u = u + m.dt * v;                                            // Eq. (53) [D1]
   V f = -(m.k * u) - m.c * v;                                                   // Eqs. (6, 34, 35)
-  if (printed) u += dt * v;                                                     // Eq. (53)
+  if (M::printed) u = u + m.dt * v;                                             // Eq. (53)
   const T length = norm(f);
-  const auto slip = length > m.limit;                                           // Eqs. (11, 39, 40)
-  if (any(slip)) {
-    f = select(slip, m.limit / length * f, f);                                  // Eq. (54)
-    const V rest = printed ? f + m.c * v : f;                                   // Eq. (55) [D2]
-    u = select(slip, -(1 / m.k * rest), u);                                     // Eq. (55)
-  }
+  const bool slip = length > m.limit;                                           // Eqs. (11, 39, 40)
+  f = select(slip, m.limit / length * f, f);                                    // Eq. (54)
+  const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
+  u = select(slip, -(1 / m.k * rest), u);                                       // Eq. (55)
   return f;
 }
-
 /// Force on i (and its opposite on j), torque on i, torque on j.
 template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
 /// The contact law. M says which friction modes the scene has.
-template <class M, class T, class S>
-INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<S>& mat) {
+template <class M, class T>
+INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<T>& mat) {
+  Loads<T> r;
   const T a = sqrt(c.Rstar * c.delta);                                          // Eq. (14)
-  const T kn = S(4) / 3 * mat.Estar * a;                                        // Eq. (12)
-  const T ks = 8 * mat.Gstar * a;                                               // Eq. (13)
+  const T kn = T(4) / 3 * (c.stiff * mat.Estar) * a;                            // Eq. (12)
+  const T ks = 8 * (c.stiff * mat.Gstar) * a;                                   // Eq. (13)
   const T cn = mat.beta * sqrt(5 * c.mstar * kn);                               // Eq. (18)
   const T cs = mat.cs_cn * cn;                                                  // Eqs. (19, 25)
   const T fn = kn * c.delta - cn * c.vn;                                        // Eqs. (5, 10)
-  const T load = norm(fn);
-  Loads<T> r;
-  r.f = r.fn = fn * c.n, r.kn = kn, r.ks = ks;
+  const T load = norm(fn), dt = mat.dt;
+  r.f = fn * c.n, r.fn = fn * c.n, r.kn = kn, r.ks = ks;
   if constexpr (M::sliding) {
     u.us = turn(u.us, c.n);                                                     // Eq. (52)
-    const Vec<T> fs =
-        friction<M::printed>(u.us, c.vs, Mode<T>{ks, cs, mat.mus * load}, mat.dt);  // Eq. (6)
+    const Vec<T> fs = friction<M>(u.us, c.vs, Mode<T>{ks, cs, mat.mus * load, dt});  // Eq. (6)
     r.f += fs;
     r.ti = c.ri * cross(fs, c.n);                                               // Eq. (31)
     r.tj = c.rj * cross(fs, c.n);                                               // Eq. (60)
   }
   if constexpr (M::rolling) {
     u.ur = turn(u.ur, c.n);                                                     // Eq. (52)
-    const Vec<T> fr =
-        friction<M::printed>(u.ur, c.vr, Mode<T>{kn, cn, mat.mur * load}, mat.dt);  // Eq. (34)
+    const Vec<T> fr = friction<M>(u.ur, c.vr, Mode<T>{kn, cn, mat.mur * load, dt});  // Eq. (34)
     const Vec<T> tr = c.Rstar * cross(c.n, fr);                                 // Eq. (32)
     r.ti += tr, r.tj += -tr;                                                    // Eq. (58)
   }
   if constexpr (M::twisting) {
-    const T ft =
-        friction<M::printed>(u.ut, c.vt, Mode<T>{ks, cs, mat.mut * load}, mat.dt);  // Eq. (35)
+    const T ft = friction<M>(u.ut, c.vt, Mode<T>{ks, cs, mat.mut * load, dt});  // Eq. (35)
     const Vec<T> tt = ft * c.Rstar * c.n;                                       // Eq. (33)
     r.ti += tt, r.tj += -tt;                                                    // Eq. (59)
   }
   return r;
 }
-
 // ------------------------------------------------------------------------------- 3 time step
-
 template <bool s, bool r, bool t, bool p = false> struct Modes {  // what is compiled in
-  static constexpr bool sliding = s, rolling = r, twisting = t, printed = p;
-  static constexpr int rows = r ? 2 : s || t ? 1 : 0;  // of spring history: (us|ut) (ur|-)
+  static constexpr bool sliding = s, rolling = r, twisting = t, printed = p, any = s || r || t;
 };
-static void fail(Slab& b, int i, const char* reason) {
-  if (b.culprit < 0) b.culprit = i, b.reason = reason;
+static void fail(Slab& b, int i, const char* why) {
+  if (b.culprit < 0) b.culprit = i, b.reason = why;
 }
-template <class T> INLINE Body<T> body(const Simulation& s, const int* i) {
-  const auto x = gather<T>(&s.x[0], i), v = gather<T>(&s.v[0], i), w = gather<T>(&s.w[0], i);
-  return {x.xyz(), x.c[3], v.xyz(), v.c[3], w.xyz(), w.c[3]};
+/// A mesh element as a particle sees it: a body at its closest point.
+Body<real> Simulation::wall(int element, const Vec3& centre) const {
+  const Element& e = mesh.elements[element];
+  return {closest_point(mesh, e, centre), p.Rmesh[e.group], {}, 0, {}, 0};
 }
-/// A mesh element as a particle sees it: (closest point|radius).
-static Row closest(const Simulation& s, int element, const Vec3& centre) {
-  const Element& e = s.mesh.elements[element];
-  return {closest_point(s.mesh, e, centre), s.p.Rmesh[e.group]};
+struct Reaction { Vec3 f, ti, tj; real excess; };
+/// Forces in all contacts of a slab, a block at a time, added up in the order of the list.
+template <class M> INLINE void forces(Simulation& s, Slab& b) {
+  const Material<real> mat = s.material; Body<real> wall[block];
+  int k[block];  // places of the contacts in the list
+  Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions;
+  b.contacts = 0;
+  for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
+    for (; next < count(b.pairs) && n < block; ++next) {
+      Pair& p = b.pairs[next]; const Body<real>& i = s.grains[p.i];
+      const Body<real>& j = p.j < 0 ? wall[n] = s.wall(-1 - p.j, i.x) : s.grains[p.j];
+      const bool touch = square(i.x - j.x) < square(i.R + j.R);                 // Eq. (7)
+      if (M::any && touch != p.touching) b.springs[next] = {};
+      p.touching = touch, k[n] = next, n += touch; }
+    bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i].x.x; });
+    bj.gather(n, [&](int l) {
+      const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l].x.x : &s.grains[j].x.x; });
+    if (M::any) springs.gather(n, [&](int l) { return &b.springs[k[l]]; });
+    for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
+      const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
+      if (M::any) u = springs.get(l);
+      const Loads<real> r = contact_law<M>(c, u, mat);
+      reactions.set(l, {r.f, r.ti, r.tj, c.delta - c.R});
+      if (M::any) springs.set(l, u); }
+    for (int l = 0; l < n; ++l) {
+      const auto [i, j, touching] = b.pairs[k[l]]; const Reaction r = reactions.get(l);
+      if (r.excess > 0) fail(b, i, j < 0 ? "overlaps a mesh element by more than its radius"
+                                         : "overlaps another by more than a radius");
+      if (M::any) b.springs[k[l]] = springs.get(l);
+      s.grains[i].f += r.f, s.grains[i].t += r.ti;                              // Eqs. (1, 2)
+      if (j < b.first || j >= b.last) continue;  // a wall, or the other slab adds to j
+      s.grains[j].f += -r.f, s.grains[j].t += r.tj; }}                          // Eqs. (56, 57)
 }
-/// Gives a pair that touches a place for its springs; a pair that parted loses them.
-static void keep_history(const Simulation& s, Slab& b, Pair& pair) {
-  if (pair.spring > Pair::never)
-    std::fill_n(&b.springs[pair.spring * s.spring_rows], s.spring_rows, Row());
-  if (pair.spring != Pair::never)
-    pair.spring = Pair::never - 1 - pair.spring;  // place <-> former place
-  else
-    pair.spring = count(b.springs) / s.spring_rows,
-    b.springs.resize(b.springs.size() + size_t(s.spring_rows));
+/// p q for side = 1, q p for side = -1.
+INLINE Quaternion product(const Quaternion& p, const Quaternion& q, real side) {  // Eq. (49)
+  return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)};
 }
-/// Pairs that touch, by their places in the list; walls also by (closest point|radius).
-template <int W> struct Touching {
-  static constexpr int block = 256;
-  int n = 0, pair[block + W];
-  Row point[block + W];
-};
-/// Forces in n <= W touching pairs, computed together and added up in the order of the list.
-template <class M, int W, bool wall>
-INLINE void forces_on_pack(Simulation& s, Slab& b, const Touching<W>& touching, int first, int n) {
-  typedef typename Pack<W>::type T;
-  int i[W], j[W], place[W];
-  for (int l = 0; l < W; ++l) {
-    const int k = first + min(l, n - 1);
-    const Pair& pair = (wall ? b.walls : b.pairs)[touching.pair[k]];
-    i[l] = pair.i, j[l] = wall ? k : pair.j, place[l] = pair.spring * M::rows;
-  }
-  const Body<T> bi = body<T>(s, i);
-  Body<T> bj{};  // a wall has no motion, 1/m = 0 and 1/R = 0
-  if constexpr (wall) {
-    const auto point = gather<T>(touching.point, j);
-    bj.x = point.xyz(), bj.R = point.c[3];
-  } else bj = body<T>(s, j);
-  Approach<T> c = approach<wall>(bi, bj);
-  T deepest = wall ? bi.R : smaller(bi.R, bj.R);
-  if (any(c.delta > deepest))
-    for (int l = 0; l < n; ++l)
-      if (lane(c.delta, l) > lane(deepest, l))
-        fail(b, i[l],
-             wall ? "overlaps a mesh element by more than its radius"
-                  : "overlaps another by more than a radius");
-  Springs<T> u{};
-  if constexpr (M::rows > 0) {
-    const auto row = gather<T>(&b.springs[0], place);
-    u.us = row.xyz(), u.ut = row.c[3];
-  }
-  if constexpr (M::rows > 1) u.ur = gather<T>(&b.springs[1], place).xyz();
-  const Loads<T> load = contact_law<M>(c, u, wall ? s.wall_material : s.pair_material);
-  Row f[W], ti[W], tj[W], u0[W], u1[W];
-  scatter(load.f, T(), f);
-  if constexpr (M::rows > 0)
-    scatter(load.ti, T(), ti), scatter(load.tj, T(), tj), scatter(u.us, u.ut, u0);
-  if constexpr (M::rows > 1) scatter(u.ur, T(), u1);
-  for (int l = 0; l < n; ++l) {
-    const bool own = !wall && j[l] >= b.first && j[l] < b.last;  // else the other slab adds to j
-    s.f[i[l]] += f[l];                                                          // Eq. (1)
-    if (own) s.f[j[l]] -= f[l];                                                 // Eqs. (56, 57)
-    if constexpr (M::rows > 0) {
-      s.t[i[l]] += ti[l];                                                       // Eq. (2)
-      if (own) s.t[j[l]] += tj[l];
-      b.springs[place[l]] = u0[l];
-    }
-    if constexpr (M::rows > 1) b.springs[place[l] + 1] = u1[l];
-  }
+constexpr real small_angle2 = real(0.004);  // below it the series are exact to the last digit
+/// The quaternion (cos |h|, sin |h| h/|h|).
+template <bool large> INLINE Quaternion rotation(const Vec3& h) {
+  constexpr auto over = [](int n) { return 1 / real(n); }; const real h2 = square(h);
+  if (large && h2 > small_angle2) return {std::cos(sqrt(h2)), std::sin(sqrt(h2)) / sqrt(h2) * h};
+  return {1 - h2 * (over(2) - h2 * (over(24) - h2 * (over(720) - h2 * over(40320)))),
+          (1 - h2 * (over(6) - h2 * (over(120) - h2 * (over(5040) - h2 * over(362880))))) * h};
 }
-/// Which pairs (or walls) of a slab touch, then their forces, W at a time.
-template <class M, int W, bool wall> INLINE void forces_on_list(Simulation& s, Slab& b) {
-  vector<Pair>& list = wall ? b.walls : b.pairs;
-  Touching<W> touching;
-  for (int k = 0, n = 0, done = 0; k < count(list); touching.n = n - done) {
-    for (const int end = min(k + Touching<W>::block, count(list)); k < end; ++k) {
-      const Row& xi = s.x[list[k].i];
-      if (wall) touching.point[touching.n] = closest(s, list[k].j, xi.xyz());
-      const Row& xj = wall ? touching.point[touching.n] : s.x[list[k].j];
-      const bool touch = square(xi.xyz() - xj.xyz()) < square(xi.c[3] + xj.c[3]);  // Eq. (7)
-      if (M::rows > 0 && touch != (list[k].spring > Pair::never)) keep_history(s, b, list[k]);
-      touching.pair[touching.n] = k;
-      touching.n += touch;
-    }
-    for (n = touching.n, done = 0; n - done >= W || (n > done && k == count(list));
-         done += min(W, n - done))
-      forces_on_pack<M, W, wall>(s, b, touching, done, min(W, n - done));
-    std::copy(touching.pair + done, touching.pair + n, touching.pair);
-    if (wall) std::copy(touching.point + done, touching.point + n, touching.point);
-    b.contacts += done;
-  }
+template <bool large>
+INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
+  const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
+  return product(theta, product(phi, q, side), side);                           // Eq. (47)
 }
-template <class M> struct Forces {
-  static constexpr bool portable = M::printed;  // not worth a kernel for each instruction set
-  template <int W> static INLINE void run(Simulation& s, Slab& b) {
-    b.contacts = 0;
-    forces_on_list<M, W, false>(s, b), forces_on_list<M, W, true>(s, b);
-  }
-};
-
-/// The quaternion (cos |h|, sin |h| h/|h|), by series where they are exact to the last digit.
-template <class T> INLINE Columns<T> rotation(const Vec<T>& h) {
-  constexpr auto over = [](int n) { return 1 / real(n); };
-  T h2 = square(h);
-  T c = 1 - h2 * (over(2) - h2 * (over(24) - h2 * (over(720) - h2 * over(40320))));
-  T s = 1 - h2 * (over(6) - h2 * (over(120) - h2 * (over(5040) - h2 * over(362880))));
-  if (any(h2 > real(0.004)))
-    for (int l = 0; l < width<T>; ++l)
-      if (const real h1 = sqrt(lane(h2, l)); lane(h2, l) > real(0.004))
-        lane(c, l) = std::cos(h1), lane(s, l) = std::sin(h1) / h1;
-  return {{c, s * h.x, s * h.y, s * h.z}};
+struct Step { Vec3 h, k; real way, spin2, excess; };
+/// Eqs. (42)-(49) for the particles of a slab; clears their forces.
+template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b) {
+  const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
+  const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
+  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Step> steps; b.excess = -1;
+  for (int first = b.first; first < b.last; first += block) {
+    const int n = min(block, b.last - first);
+    grains.gather(n, [&](int l) { return &s.grains[first + l].x.x; });
+    for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
+      Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
+      Vec3 a = g.m_inv * g.f + gravity;                                         // Eq. (42)
+      Vec3 alpha = I_inv * g.t;                                                 // Eq. (43)
+      if constexpr (drag) {
+        const real c = stokes * g.R_inv * g.R_inv;                              // Eq. (3)
+        const real gamma = real(10) / 3 * c;                                    // Eq. (4)
+        a = a - c * g.v, alpha = alpha - gamma * g.w; }
+      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha;
+      g.v += dt * a;                                                            // Eq. (44)
+      g.x += dt * g.v;                                                          // Eq. (45)
+      g.w += dt * alpha;                                                        // Eq. (46)
+      if constexpr (orientation) g.q = turned<false>(g.q, h, k, side);
+      g.f = Vec3(), g.t = Vec3(), grains.set(l, g);
+      steps.set(l, {h, k, dt * norm(g.v), square(g.w), norm(g.x - g.x0) - (g.reach - g.R)}); }
+    for (int l = 0; l < n; ++l) {
+      const int i = first + l; const Step m = steps.get(l); Grain g = grains.get(l);
+      if (orientation && square(m.h) + square(m.k) > small_angle2)
+        g.q = turned<true>(s.grains[i].q, m.h, m.k, side);
+      if (!(m.way <= g.R)) fail(b, i, "moved more than its radius in one step");
+      if (!(m.spin2 < inf)) fail(b, i, "spins too fast for a finite energy");
+      s.grains[i] = g, b.excess = max(b.excess, m.excess); }}
+  b.failed = b.culprit >= 0;
 }
-template <class T>
-INLINE Columns<T> hamilton(const Columns<T>& p, const Columns<T>& q) {          // Eq. (49)
-  const Vec<T> pv{p.c[1], p.c[2], p.c[3]}, qv{q.c[1], q.c[2], q.c[3]};
-  const Vec<T> v = p.c[0] * qv + q.c[0] * pv + cross(pv, qv);
-  return {{p.c[0] * q.c[0] - dot(pv, qv), v.x, v.y, v.z}};
-}
-/// Eqs. (42)-(49) for n <= W particles; clears their forces.
-template <int W, bool orientation, bool drag>
-INLINE void move(Simulation& s, Slab& b, int first, int n) {
-  typedef typename Pack<W>::type T;
-  int i[W];
-  for (int l = 0; l < W; ++l) i[l] = first + min(l, n - 1);
-  const auto xR = gather<T>(&s.x[0], i), vm = gather<T>(&s.v[0], i), wR = gather<T>(&s.w[0], i);
-  const auto f = gather<T>(&s.f[0], i), t = gather<T>(&s.t[0], i), x0 = gather<T>(&s.x0[0], i);
-  T R = xR.c[3], m_inv = vm.c[3], R_inv = wR.c[3], I_inv = real(2.5) * m_inv * R_inv * R_inv;
-  const real dt = s.p.dt;
-  const Vec<T> g{s.p.g.x + T(), s.p.g.y + T(), s.p.g.z + T()};
-  Vec<T> x = xR.xyz(), v = vm.xyz(), w = wR.xyz();
-  Vec<T> a = m_inv * f.xyz() + g;                                               // Eq. (42)
-  Vec<T> alpha = I_inv * t.xyz();                                               // Eq. (43)
-  if constexpr (drag) {
-    const T c = real(4.5) * s.p.eta / s.p.rho * R_inv * R_inv;                  // Eq. (3)
-    const T gamma = real(10) / 3 * c;                                           // Eq. (4)
-    a = a - c * v, alpha = alpha - gamma * w;
-  }
-  v += dt * a;                                                                  // Eq. (44)
-  x += dt * v;                                                                  // Eq. (45)
-  if constexpr (orientation) {
-    const auto q = gather<T>(&s.q[0], i);
-    const auto phi = rotation(dt / 2 * w), theta = rotation(dt * dt / 4 * alpha);  // Eq. (48)
-    const auto turned = s.printed ? hamilton(hamilton(q, phi), theta)           // Eq. (47)
-                                  : hamilton(theta, hamilton(phi, q));          // Eq. (47) [D3]
-    scatter(turned.xyz(), turned.c[3], &s.q[first], n);
-  }
-  w += dt * alpha;                                                              // Eq. (46)
-  T way = dt * norm(v), spin2 = square(w), excess = norm(x - x0.xyz()) - (x0.c[3] - R);
-  for (int l = 0; l < n; ++l) {
-    if (!(lane(way, l) <= lane(R, l))) fail(b, i[l], "moved more than its radius in one step");
-    if (!(lane(spin2, l) < inf)) fail(b, i[l], "spins too fast for a finite energy");
-    b.excess = max(b.excess, lane(excess, l));
-  }
-  scatter(x, R, &s.x[first], n), scatter(v, m_inv, &s.v[first], n),
-      scatter(w, R_inv, &s.w[first], n);
-  std::fill_n(&s.f[first], n, Row()), std::fill_n(&s.t[first], n, Row());
-}
-template <bool orientation, bool drag> struct Motion {
-  static constexpr bool portable = false;
-  template <int W> static INLINE void run(Simulation& s, Slab& b) {
-    b.excess = -1;
-    for (int i = b.first; i < b.last; i += W)
-      move<W, orientation, drag>(s, b, i, min(W, b.last - i));
-    b.failed = b.culprit >= 0;
-  }
-};
-
+typedef void Phase(Simulation&, Slab&);
 /// A phase of the step for each instruction set; the machine chooses when a run starts.
-template <class Phase> struct Compiled {
-  static constexpr int size = sizeof(real);
-  static void base(Simulation& s, Slab& b) { Phase::template run<max(16 / size, 1)>(s, b); }
-#if defined(__x86_64__) && !defined(__clang__)
-#define TINYDEM_FOR(name, isa, bytes)                                                              \
-  __attribute__((target(isa))) static void name(Simulation& s, Slab& b) {                          \
-    Phase::template run<max(bytes / size, 1)>(s, b);                                               \
-  }
-  TINYDEM_FOR(avx2, "avx2", 32)
-  TINYDEM_FOR(avx512, "avx512f,avx512vl,avx512dq", 64)
-  static auto best() {
-    if constexpr (size > 8 || Phase::portable) return base;
-    else return __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") ? avx512
-              : __builtin_cpu_supports("avx2") ? avx2 : base;
-  }
+template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
+#ifdef __x86_64__
+#define TINYDEM_FOR(set) template <Phase* phase> __attribute__((target(set))) void
+TINYDEM_FOR("avx2") avx2(Simulation& s, Slab& b) { phase(s, b); }
+TINYDEM_FOR("avx512f,avx512vl,avx512dq") avx512(Simulation& s, Slab& b) { phase(s, b); }
+template <Phase* phase> static Phase* best() {
+  const bool wide = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return wide ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>;
+}
 #else
-  static auto best() { return base; }
+template <Phase* phase> static Phase* best() { return base<phase>; }
 #endif
-};
-
-Simulation::Simulation(const Parameters& parameters, const Mesh& geometry,
-                       const vector<Particle>& initial)
-    : p(parameters), mesh(geometry), printed(p.scheme == "paper"), random(std::uint64_t(p.seed)) {
-  pair_material = material<real>(p, false), wall_material = material<real>(p, true);
+template <bool... modes> static Phase* best_forces() { return best<forces<Modes<modes...>>>(); }
+Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Particle>& initial)
+    : p(table), mesh(m), printed(p.scheme == "paper"),
+      friction(printed || p.mus > 0 || p.mur > 0 || p.mut > 0), random(std::uint64_t(p.seed)),
+      material(material_of<real>(p)) {
   const bool turning = p.orientation == "on", drag = p.eta > 0;
-  motion_phase = turning ? drag ? Compiled<Motion<1, 1>>::best() : Compiled<Motion<1, 0>>::best()
-                         : drag ? Compiled<Motion<0, 1>>::best() : Compiled<Motion<0, 0>>::best();
-  force_phase = printed     ? Compiled<Forces<Modes<1, 1, 1, 1>>>::best()
-                : p.mur > 0 ? Compiled<Forces<Modes<1, 1, 1>>>::best()
-                : p.mut > 0 ? Compiled<Forces<Modes<1, 0, 1>>>::best()
-                : p.mus > 0 ? Compiled<Forces<Modes<1, 0, 0>>>::best()
-                            : Compiled<Forces<Modes<0, 0, 0>>>::best();
-  spring_rows = p.mur > 0 || printed ? 2 : p.mus > 0 || p.mut > 0 ? 1 : 0;
-  sort_elements();
-  for (const Particle& particle : initial) add(particle);
-  list_neighbours();
-  Problems problems;
-  for (const Contact& c : contacts())
-    if (!(c.delta <= c.R))
-      problems.add("particle " + to_string(c.i + 1),
-                   "overlaps " +
-                       (c.j < 0 ? "mesh element " + to_string(c.element)
-                                : "particle " + to_string(c.j + 1)) +
-                       " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it");
+  motion_phase = turning && drag ? best<motion<1, 1>>() : turning ? best<motion<1, 0>>()
+                 : drag ? best<motion<0, 1>>() : best<motion<0, 0>>();
+  force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
+                : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
+                : best_forces<0, 0, 0>();
+  sort_elements(); for (const Particle& particle : initial) add(particle);
+  list_neighbours(); Problems problems;
+  for (const Contact& c : contacts()) if (!(c.delta <= c.R))
+    problems.add("particle " + to_string(c.i + 1), "overlaps " +
+        (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
+        " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it");
   supplied += summary().elastic;
-  if (!std::isfinite(supplied))
-    problems.add("particles", "their energy is not finite; slow them down");
+  if (!std::isfinite(supplied)) problems.add("particles", "have no finite energy; slow them down");
   problems.stop_if_any();
 }
-/// Sorts mesh elements along a space-filling curve and puts boxes around them.
 void Simulation::sort_elements() {
-  Box all;
-  for (const Vec3& a : mesh.vertices) all.add(a, a, 0);
-  const real cell = norm(all.high - all.low) / 100000 + tiny;
-  order.clear(), elements.clear();
-  for (const Element& e : mesh.elements)
-    order.push_back({place_on_curve(mesh.corner(e, 0) - all.low, cell), count(order)});
-  std::sort(order.begin(), order.end());
-  for (const auto& o : order) elements.push_back(o.second);
-  mesh_tree.build(count(elements), [&](int k, Box& box) {
-    const Element& e = mesh.elements[elements[k]];
-    for (int c = 0; c < e.n; ++c) box.add(mesh.corner(e, c), mesh.corner(e, c), p.Rmesh[e.group]);
-  });
+  mesh_tree.build(count(mesh.elements), [&](int k) {
+    Box box; const Element& e = mesh.elements[k]; const Vec3 R = p.Rmesh[e.group] * Vec3{1, 1, 1};
+    for (int c = 0; c < e.n; ++c) box.add(mesh.corner(e, c) - R, mesh.corner(e, c) + R);
+    return box; });
 }
 void Simulation::add(const Particle& a) {
   const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
-  x.emplace_back(a.x, a.R), v.emplace_back(a.v, 1 / m), w.emplace_back(a.w, 1 / a.R);
-  q.emplace_back(Vec3{a.q[0], a.q[1], a.q[2]}, a.q[3]);
-  f.emplace_back(), t.emplace_back(), x0.push_back(x.back()), id.push_back(count(id));
+  const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
+  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q, {}, {}, a.x, a.R});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
-  stale = true;
+  id.push_back(count(id)), stale = true;
 }
-/// Uniform in [0, 1): the 53 upper bits, the same on every machine.
-real Simulation::uniform() { return ++draws, real(double(random() >> 11) * 0x1p-53); }
 /// No particle and no mesh element within the sphere?
 bool Simulation::is_free(const Vec3& centre, real R) const {
-  bool free = true;
-  real excess = 0;
+  bool free = true; real excess = 0;
   for (const Slab& b : slabs) excess = max(excess, b.excess);
-  const auto check = [&](const Row& other) {
-    free = free && square(centre - other.xyz()) >= square(R + other.c[3]);
-  };
-  const auto check_particle = [&](int j) { check(x[j]); };
-  const auto check_element = [&](int k) { check(closest(*this, elements[k], centre)); };
-  particle_tree.visit(centre, R + excess, 0, check_particle);
-  for (int j = particle_tree.n; j < size(); ++j) check(x[j]);  // spawned a moment ago
-  if (free) mesh_tree.visit(centre, R, 0, check_element);
+  const auto check = [&](const Body<real>& j) { free &= square(centre - j.x) >= square(R + j.R); };
+  particle_tree.visit(centre, R + excess, [&](int j) { check(grains[j]); });
+  for (int j = count(particle_tree.order); j < size(); ++j) check(grains[j]);  // just spawned
+  if (free) mesh_tree.visit(centre, R, [&](int k) { check(wall(mesh_tree.order[k], centre)); });
   return free;
 }
 /// Draws places in the spawn box; a radius that found no room waits for the next attempt.
 void Simulation::spawn() {
   const Vec3 box = p.smax - p.smin;
+  const auto uniform = [&] { return ++draws, real(double(random() >> 11) * 0x1p-53); };  // [0, 1)
   for (long k = 0; k < p.Nspawn && size() < p.Nmax; ++k) {
-    const Vec3 place = p.smin + Vec3{uniform() * box.x, uniform() * box.y, uniform() * box.z};
+    const Vec3 at = p.smin + Vec3{uniform() * box.x, uniform() * box.y, uniform() * box.z};
     if (spawn_radius <= 0) spawn_radius = p.Rmin + (p.Rmax - p.Rmin) * uniform();
-    if (is_free(place, spawn_radius))
-      add({place, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0});
-  }
+    if (!is_free(at, spawn_radius)) continue;
+    add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0}); }
 }
-
-/// How far around itself a particle looks for partners: its radius, and what it covers until the
-/// list is built anew. `horizon` balances the cost of building against that of idle pairs.
-void Simulation::choose_reach() {
+/// Sorts particles. Their reach is the radius and what they cover until the list is built anew;
+/// `horizon` balances the cost of building against that of idle pairs.
+void Simulation::sort_particles() {
   constexpr double build = 200, carry = 1.5;  // measured [ns]: per particle, per idle pair and step
-  double idle = 0;
-  for (const Slab& b : slabs) idle += double(b.pairs.size() + b.walls.size()) - double(b.contacts);
+  double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
   const bool early = build * size() > carry * idle * double(steps - listed_at);
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
   const real mean = radii / real(max(size(), 1));
-  for (int i = 0; i < size(); ++i)
-    x0[i] = Row(x[i].xyz(), x[i].c[3] + horizon * (mean / 50 + 10 * p.dt * norm(v[i].xyz())));
+  for (Grain& g : grains) g.x0 = g.x, g.reach = g.R + horizon * (mean / 50 + 10 * p.dt * norm(g.v));
+  particle_tree.build(size(), [&](int i) {
+    const Vec3 &x = grains[i].x, R = grains[i].reach * Vec3{1, 1, 1}; return Box{x - R, x + R}; });
+  const auto permute = [&](auto& all) {
+    auto sorted = all; for (int i = 0; i < size(); ++i) sorted[i] = all[particle_tree.order[i]];
+    all.swap(sorted); };
+  permute(grains), permute(id);
 }
-/// Sorts particles along a space-filling curve, so that neighbours in space are near in memory.
-void Simulation::sort_particles() {
-  const real cell = 2 * radii / real(max(size(), 1)) + tiny;
-  order.clear();
-  for (int i = 0; i < size(); ++i) order.push_back({place_on_curve(x[i].xyz(), cell), i});
-  std::sort(order.begin(), order.end());
-  Rows sorted(x.size());
-  for (Rows* rows : {&x, &v, &w, &q, &x0}) {
-    for (int i = 0; i < size(); ++i) sorted[i] = (*rows)[order[i].second];
-    rows->swap(sorted);
-  }
-  vector<int> sorted_id;
-  for (const auto& o : order) sorted_id.push_back(id[o.second]);
-  id.swap(sorted_id);
-  particle_tree.build(size(),
-                      [&](int i, Box& box) { box.add(x[i].xyz(), x[i].xyz(), x0[i].c[3]); });
-}
-/// Appends a pair to a list of a slab, with the springs that it had before the particles were
-/// sorted.
-void Simulation::enlist(Slab& b, vector<Pair>& list, int i, int j) const {
-  const bool wall = &list == &b.walls;
-  const auto recall = [&](int owner, int partner, real sign) {
-    if (owner >= count(first_pair) || spring_rows == 0) return false;
-    const Slab& s = old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
-    const vector<Pair>& known = wall ? s.walls : s.pairs;
-    for (int k = (wall ? first_wall : first_pair)[owner]; k < count(known) && known[k].i == owner;
-         ++k) {
-      if (known[k].j != partner || known[k].spring <= Pair::never) continue;
-      const Row* u = &s.springs[known[k].spring * spring_rows];
-      list.back().spring = count(b.springs) / spring_rows;
-      b.springs.emplace_back(sign * u->xyz(),
-                             u->c[3]);  // seen from the other side, us changes its sign
-      b.springs.insert(b.springs.end(), u + 1, u + spring_rows);
-      return true;
-    }
-    return false;
-  };
-  list.push_back({i, j, Pair::never});
-  const int was_i = order[i].second, was_j = wall ? j : order[j].second;
-  if (!recall(was_i, was_j, 1) && !wall) recall(was_j, was_i, -1);
+/// Appends a pair to a slab, with the springs that it had before the particles were sorted.
+void Simulation::enlist(Slab& b, int i, int j) const {
+  const int was_i = particle_tree.order[i], was_j = j < 0 ? j : particle_tree.order[j];
+  const bool mirrored = 0 <= was_j && was_j < was_i;  // a pair always stands with its lower index
+  const int owner = mirrored ? was_j : was_i, partner = mirrored ? was_i : was_j;
+  b.pairs.push_back({i, j, false}), b.springs.resize(friction ? b.pairs.size() : 0);
+  if (owner >= count(first_pair)) return;
+  const Slab& s = old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
+  for (int k = first_pair[owner]; k < count(s.pairs) && s.pairs[k].i == owner; ++k) {
+    if (s.pairs[k].j != partner) continue;
+    b.pairs.back().touching = s.pairs[k].touching; if (friction) b.springs.back() = s.springs[k];
+    if (friction && mirrored) b.springs.back().us = -s.springs[k].us; }
 }
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
   for (int i = b.first; i < b.last; ++i) {
-    const auto near = [&](const Row& other) {
-      return square(x[i].xyz() - other.xyz()) < square(x0[i].c[3] + other.c[3]);
-    };
-    const auto particle = [&](int j) {  // half of the pairs in a slab, both halves across slabs
-      if ((j > i || j < b.first) && near(x0[j])) enlist(b, b.pairs, i, j);
-    };
-    const auto element = [&](int k) {
-      if (near(closest(*this, elements[k], x[i].xyz()))) enlist(b, b.walls, i, elements[k]);
-    };
-    particle_tree.visit(x[i].xyz(), x0[i].c[3], 0, particle);
-    mesh_tree.visit(x[i].xyz(), x0[i].c[3], 0, element);
-  }
+    const Grain& g = grains[i];
+    const auto near = [&](const Vec3& x, real R) { return square(g.x - x) < square(g.reach + R); };
+    particle_tree.visit(g.x, g.reach, [&](int j) {  // in a slab each pair once
+      if ((j > i || j < b.first) && near(grains[j].x, grains[j].reach)) enlist(b, i, j); });
+    mesh_tree.visit(g.x, g.reach, [&](int k) {
+      const Body<real> j = wall(mesh_tree.order[k], g.x);
+      if (near(j.x, j.R)) enlist(b, i, -1 - mesh_tree.order[k]); });}
 }
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {
 #pragma omp barrier
 #pragma omp single
   {
-    choose_reach();
-    first_pair.assign(size_t(slabs.back().last), 0), first_wall = first_pair;
-    for (const Slab& b : slabs) {  // where the contacts of each particle start
-      for (int c = count(b.pairs); c-- > 0;) first_pair[b.pairs[c].i] = c;
-      for (int c = count(b.walls); c-- > 0;) first_wall[b.walls[c].i] = c;
-    }
-    old.swap(slabs);
+    first_pair.assign(size_t(slabs.back().last), 0);
+    for (const Slab& b : slabs) for (int k = count(b.pairs); k-- > 0;) first_pair[b.pairs[k].i] = k;
+    sort_particles(), old.swap(slabs);
     slabs.assign(size_t(std::clamp(2 * std::cbrt(size() / 1000.0), 1.0, 64.0)), Slab());
     for (long k = 0, n = count(slabs); k < n; ++k)
-      slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n);
-    sort_particles();
-  }
+      slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n); }
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) find_pairs(slabs[k]);
 #pragma omp single
   old.clear(), ++rebuilds, listed_at = steps, stale = false;
 }
-
 /// One time step, by all threads of a team; false when the run became unstable.
 bool Simulation::step() {
   real excess = -1;
-  for (const Slab& b : slabs) {
-    if (b.failed) return false;
-    excess = max(excess, b.excess);
-  }
+  for (const Slab& b : slabs) if (excess = max(excess, b.excess); b.failed) return false;
   if (stale || excess > 0) list_neighbours();
   const bool spawning = p.Nspawn > 0 && size() < p.Nmax;  // asked before a barrier, so by all alike
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) force_phase(*this, slabs[k]);
 #pragma omp for schedule(static)
-  for (int k = 0; k < count(slabs); ++k) {
-    motion_phase(*this, slabs[k]);
-    if (k == 0) ++steps;
-  }
+  for (int k = 0; k < count(slabs); ++k) motion_phase(*this, slabs[k]), steps += k == 0;
   if (spawning) {
 #pragma omp single
-    spawn();
-  }
+    spawn(); }
   return true;
 }
 void Simulation::run(long n) {
-#ifdef _OPENMP
 #pragma omp parallel num_threads(min(omp_get_max_threads(), count(slabs)))
-#endif
   for (long k = 0; k < n && step(); ++k) {}
-  for (const Slab& b : slabs)
-    if (b.failed)
-      throw RunError("particle " + to_string(id[b.culprit] + 1) + " " + b.reason +
-                     " at t = " + text(time()) + "; try a smaller --dt (now " + text(p.dt) +
+  for (const Slab& b : slabs) if (b.failed)
+      throw RunError("particle " + to_string(id[b.culprit] + 1) + " " + b.reason + " at t = " +
+                     text(time()) + "; try a smaller --dt (now " + text(p.dt) +
                      "), a larger --E or thicker mesh elements");
 }
-
 vector<Particle> Simulation::particles() const {
-  vector<Particle> all(x.size());
-  for (int i = 0; i < size(); ++i)
-    all[id[i]] = {x[i].xyz(),
-                  x[i].c[3],
-                  v[i].xyz(),
-                  {q[i].c[0], q[i].c[1], q[i].c[2], q[i].c[3]},
-                  w[i].xyz()};
+  vector<Particle> all(grains.size());
+  for (const Grain& g : grains)
+    all[id[&g - &grains[0]]] = {g.x, g.R, g.v, {g.q.s, g.q.v.x, g.q.v.y, g.q.v.z}, g.w};
   return all;
 }
 vector<Contact> Simulation::contacts() const {
   vector<Contact> all;
-  const auto look = [&](const Slab& b, const Pair& pair, bool wall) {
-    const Body<real> i = body<real>(*this, &pair.i);
-    const Row point = wall ? closest(*this, pair.j, i.x) : Row();
-    const Body<real> j =
-        wall ? Body<real>{point.xyz(), point.c[3], {}, 0, {}, 0} : body<real>(*this, &pair.j);
-    if (square(i.x - j.x) >= square(i.R + j.R)) return;
-    const bool known = spring_rows > 0 && pair.spring > Pair::never;
-    const Row u0 = known ? b.springs[pair.spring * spring_rows] : Row();
-    const Row u1 = known && spring_rows > 1 ? b.springs[pair.spring * spring_rows + 1] : Row();
-    Springs<real> u{u0.xyz(), u1.xyz(), u0.c[3]};
-    const auto c = wall ? approach<true>(i, j) : approach<false>(i, j);
-    Material<real> mat = wall ? wall_material : pair_material;
-    mat.dt = 0;  // look, do not advance
-    const Loads<real> load = contact_law<Modes<1, 1, 1>>(c, u, mat);
-    const real energy = load.kn * (real(0.4) * square(c.delta) + square(u.ur) / 2) +
-                        load.ks * (square(u.us) + square(u.ut)) / 2;
-    all.push_back({id[pair.i], wall ? -1 : id[pair.j], wall ? pair.j : -1, c.delta,
-                   wall ? i.R : min(i.R, j.R), c.mstar, load.kn, load.fn, load.f - load.fn, u.us,
-                   u.ur, u.ut, energy});
-  };
-  for (const Slab& b : slabs) {
-    for (const Pair& c : b.pairs)
-      if (c.i < c.j) look(b, c, false);  // one half of those across slabs
-    for (const Pair& c : b.walls) look(b, c, true);
-  }
+  Material<real> mat = material; mat.dt = 0;  // look, do not advance
+  for (const Slab& b : slabs)
+    for (int k = 0; k < count(b.pairs); ++k) {
+      const auto [i, j, touching] = b.pairs[k];
+      if (0 <= j && j < i) continue;  // one half of those across slabs
+      const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);
+      if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
+      Springs<real> u = touching && friction ? b.springs[k] : Springs<real>{};
+      const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
+      const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
+      const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
+      all.push_back({id[i], j < 0 ? -1 : id[j], j < 0 ? -1 - j : -1, c.delta, c.R, c.mstar, r.kn,
+                     r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }
   return all;
 }
 Summary Simulation::summary() const {
   Summary s;
-  for (int i = 0; i < size(); ++i) {
-    const real m = 1 / v[i].c[3];
-    s.kinetic += m / 2 * square(v[i].xyz()), s.potential -= m * dot(p.g, x[i].xyz());
-    s.rotational += m / 5 * square(x[i].c[3]) * square(w[i].xyz());
-  }
+  for (const Grain& g : grains) {
+    const real m = 1 / g.m_inv;
+    s.kinetic += m / 2 * square(g.v), s.potential -= m * dot(p.g, g.x);
+    s.rotational += m / 5 * square(g.R) * square(g.w); }
   real shortest = inf;  // An elastic collision lasts 2.943 delta/v, with m* v^2/2 = 2/5 kn delta^2
   for (const Contact& c : contacts()) {  // that is 3.29 sqrt(m*/kn).
     ++s.contacts, s.elastic += c.energy, s.overlap = max(s.overlap, c.delta / c.R);
-    shortest = min(shortest, real(3.29) * sqrt(c.mstar / c.kn));
-  }
-  if (s.contacts > 0) s.steps = shortest / p.dt;
+    shortest = min(shortest, real(3.29) * sqrt(c.mstar / c.kn)), s.steps = shortest / p.dt; }
   return s;
 }
-/// Hands everything that a run needs to go on to `bytes`. A run that goes on after saving and one
-/// that starts from loading both build a new list first: the same bits.
-template <class F> void Simulation::archive(F bytes) {
+/// Writes or reads all that a run needs to go on. After both it builds a new list: the same bits.
+void Simulation::archive(std::fstream& file, bool loading) {
+  const auto bytes = [&](void* at, size_t n) {
+    char* const c = static_cast<char*>(at);
+    if (loading) file.read(c, long(n)); else file.write(c, long(n));
+    if (loading && !file) throw InputError("restart.bin is not complete; use --overwrite"); };
   const auto array = [&](auto& a) {
-    size_t n = a.size();
-    bytes(&n, sizeof n), a.resize(n), bytes(a.data(), n * sizeof a[0]);
-  };
-  size_t n = slabs.size();
-  bytes(&n, sizeof n), slabs.resize(n), array(id);
+    size_t n = a.size(); bytes(&n, sizeof n), a.resize(n), bytes(a.data(), n * sizeof a[0]); };
+  size_t n = slabs.size(); bytes(&n, sizeof n), slabs.resize(n), array(id), array(grains);
   for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
   for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
-  for (Rows* rows : {&x, &v, &w, &q}) array(*rows);
-  for (Slab& b : slabs)
-    bytes(&b.first, sizeof(int)), bytes(&b.last, sizeof(int)), array(b.pairs), array(b.walls),
-        array(b.springs);
-  stale = true;
+  for (Slab& b : slabs) bytes(&b.first, 2 * sizeof(int)), array(b.pairs), array(b.springs);
+  if (stale = true; loading) random.discard(std::uint64_t(draws));
 }
-void Simulation::save(std::ostream& file) {
-  archive([&](void* data, size_t n) { file.write(static_cast<char*>(data), long(n)); });
-}
-void Simulation::load(std::istream& file) {
-  archive([&](void* data, size_t n) {
-    if (!file.read(static_cast<char*>(data), long(n)))
-      throw InputError("restart.bin does not fit; use --overwrite");
-  });
-  f.assign(x.size(), {}), t = f, x0 = x, random.discard(std::uint64_t(draws));
-}
-
 }  // namespace tinydem
-
 // --------------------------------------------------------------------------------- 4 program
 #ifndef TINYDEM_NO_MAIN
+#include <unistd.h>
+#include <chrono>
+#include <iostream>
+#ifndef __clang__
+#pragma GCC optimize("O0")  // options need no speed: compiles in half the time
+#endif
+#include <CLI/CLI.hpp>
 namespace tinydem {
 namespace fs = std::filesystem;
-
-/// A file that gets its name when it is complete.
-struct Output : std::ofstream {
-  fs::path path, part;
-  explicit Output(const fs::path& p) : path(p), part(p.string() + ".part") {
-    open(part, std::ios::binary);
-  }
-  ~Output() override {
-    std::error_code ignored;
-    if (is_open()) fs::remove(part, ignored);
-  }
-  void commit() {
-    close();
-    if (!fail()) return fs::rename(part, path);
-    fs::remove(part);
-    throw RunError(path.string() +
-                   ": cannot be written; check permissions and free space, then --resume");
-  }
-};
-static fs::path numbered(const fs::path& folder, const string& name, long frame) {
-  return folder / (name + to_string(1000000 + frame).substr(1) + ".csv");
-}
-static string restart_magic() {
-  return string("TinyDEM ") + version + " " + to_string(sizeof(real)) + " ";
+using namespace std::chrono_literals;
+static string magic() { return string("TinyDEM ") + version + " " + to_string(sizeof(real)) + " "; }
+/// Writes a file that gets its name when it is complete.
+template <class F> static void write(const fs::path& path, const F& fill) {
+  const string part = path.string() + ".part";
+  std::fstream file(part, std::ios::binary | std::ios::out); std::error_code error;
+  if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
+  if (file && !error) return;
+  fs::remove(part, error);
+  throw RunError(path.string() + ": cannot be written; free some space, then --resume");
 }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
   const fs::path folder = s.p.output;
-  Output particles(numbered(folder, "particles", frame)), restart(folder / "restart.bin");
-  particles << csv_header << "\n";
-  for (Particle& a : s.particles()) {
-    Reals values;
-    for (const real* c : a.columns()) values.push_back(*c);
-    particles << text(values, std::numeric_limits<real>::max_digits10) << "\n";
-  }
-  particles.commit();
-  if (s.p.contacts == "on") {
-    Output contacts(numbered(folder, "contacts", frame));
-    contacts << "i,j,element,delta,fnx,fny,fnz,fsx,fsy,fsz,usx,usy,usz,urx,ury,urz,ut\n";
+  const string number = to_string(1000000 + frame).substr(1) + ".csv";
+  write(folder / ("particles" + number), [&](auto& file) {
+    file << csv_header << "\n";
+    for (const Particle& a : s.particles())
+      file << text(Reals(&a.x.x, &a.w.z + 1), std::numeric_limits<real>::max_digits10) << "\n"; });
+  if (s.p.contacts == "on") write(folder / ("contacts" + number), [&](auto& file) {
+    file << "i,j,element,delta,fnx,fny,fnz,fsx,fsy,fsz,usx,usy,usz,urx,ury,urz,ut\n";
     for (const Contact& c : s.contacts())
-      contacts << text({real(c.i), real(c.j), real(c.element), c.delta, c.fn.x, c.fn.y, c.fn.z,
-                        c.fs.x, c.fs.y, c.fs.z, c.us.x, c.us.y, c.us.z, c.ur.x, c.ur.y, c.ur.z,
-                        c.ut})
-               << "\n";
-    contacts.commit();
-  }
+      file << c.i << "," << c.j << "," << c.element << "," << text(c.delta) << ","
+           << text(Reals(&c.fn.x, &c.ut + 1)) << "\n"; });
   const Summary e = s.summary();
   std::ofstream log(folder / "log.csv", frame == 0 ? std::ios::trunc : std::ios::app);
-  if (frame == 0)
-    log << "frame,t,N,contacts,kinetic,rotational,potential,elastic,dissipated,overlap,"
-           "steps_per_contact,updates_per_second\n";
+  if (frame == 0) log << "frame,t,N,contacts,kinetic,rotational,potential,elastic,dissipated,"
+                         "overlap,steps_per_contact,updates_per_second\n";
   log << text({real(frame), s.time(), real(s.size()), real(e.contacts), e.kinetic, e.rotational,
-               e.potential, e.elastic,
-               s.supplied - e.kinetic - e.rotational - e.potential - e.elastic, e.overlap, e.steps,
-               real(speed)})
-      << "\n";
-  if (!log.flush())
-    throw RunError((folder / "log.csv").string() +
-                   ": cannot be written; free some space, then --resume");
-  restart << restart_magic() << frame << "\n";
-  s.save(restart);
-  return restart.commit(), e;
+               e.potential, e.elastic, s.supplied - e.energy(), e.overlap, e.steps, real(speed)});
+  if (log << std::endl; !log) throw RunError(folder.string() + "/log.csv: cannot be written");
+  write(folder / "restart.bin", [&](auto& f) { f << magic() << frame << "\n"; s.archive(f, 0); });
+  return e;
 }
 /// Goes back to the last complete frame; the next frame, or 0 when there is none.
 static long resume(Simulation& s) {
-  const fs::path folder = s.p.output;
-  std::ifstream file(folder / "restart.bin", std::ios::binary), log(folder / "log.csv");
-  string line;
-  if (!fs::exists(folder / "restart.bin")) return 0;
-  std::getline(file, line);
-  const size_t magic = restart_magic().size();
-  if (line.compare(0, magic, restart_magic()) != 0)
-    throw InputError((folder / "restart.bin").string() +
-                     ": does not fit this program; use --overwrite");
-  const long frame = std::stol(line.substr(magic));
-  s.load(file);
+  const fs::path folder = s.p.output, restart = folder / "restart.bin";
+  std::fstream file(restart, std::ios::binary | std::ios::in);
+  std::ifstream log(folder / "log.csv");
+  string line, first = magic();
+  if (!fs::exists(restart)) return 0;
+  if (std::getline(file, line); line.compare(0, first.size(), first) != 0)
+    throw InputError(restart.string() + ": does not fit this program; use --overwrite");
+  const long frame = std::stol(line.substr(first.size()));
+  s.archive(file, true);
   for (long k = -1; k <= frame; ++k) std::getline(log, line);
   return fs::resize_file(folder / "log.csv", std::uintmax_t(log.tellg())), frame + 1;
 }
 /// Prepares the output directory: refuses to mix runs, keeps copies of what the run is made from.
 static void open_folder(Parameters p, bool overwrite) {
-  std::error_code error;
-  const fs::path folder = p.output;
+  std::error_code error; const fs::path folder = p.output;
   if (fs::create_directories(folder, error); !fs::is_directory(folder))
-    throw InputError(p.output + (fs::exists(folder) ? ": is a file" : ": cannot be created") +
-                     "; name another directory");
+    throw InputError(p.output + ": cannot be a directory; name another");
   vector<fs::path> old;
   for (const auto& f : fs::directory_iterator(folder))
     for (const char* name : {"scene.ini", "log.csv", "restart.bin", "particles", "contacts"})
       if (f.path().filename().string().rfind(name, 0) == 0) old.push_back(f.path());
   if (!old.empty() && !overwrite)
-    throw InputError(p.output +
-                     ": holds a run; add --overwrite or --resume, or name another directory");
-  const auto keep = [&](string& file, const char* name) {
-    if (file.empty() || fs::equivalent(file, folder / name, error)) return;
-    fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
-  };
-  keep(p.mesh, "mesh.off"), keep(p.particles, "input.csv");
+    throw InputError(p.output + ": holds a run; add --overwrite or --resume, or name another");
+  for (auto& [path, name] : {std::pair(&p.mesh, "mesh.off"), {&p.particles, "input.csv"}})
+    if (!path->empty()) {
+      if (!fs::equivalent(*path, folder / name, error))
+        fs::copy_file(*path, folder / name, fs::copy_options::overwrite_existing);
+      *path = name; }
   for (const auto& f : old) fs::remove(f);
-  Output ini(folder / "scene.ini");
-  ini << "# TinyDEM " << version
-      << ": tinydem --scene with this file repeats the run bit for bit\n";
-  for (const Option& o : options(p)) {
-    const string name = o.name, value = name == "mesh"        ? "mesh.off"
-                                        : name == "particles" ? "input.csv"
-                                                              : text(o);
-    if (name != "output" && !text(o).empty()) ini << name << " = " << value << "\n";
-  }
-  ini.commit();
+  write(folder / "scene.ini", [&](auto& ini) {
+    ini << "# TinyDEM " << version << ": tinydem --scene scene.ini repeats the run bit for bit\n";
+    for (const Option& o : options(p))
+      if (o.at != &p.output && !text(o).empty()) ini << o.name << " = " << text(o) << "\n"; });
 }
-
-struct Command {
-  bool overwrite = false, resume = false, quiet = false;
-  string scene{};
-  vector<Setting> settings{};
-};
+struct Command { bool overwrite, resume, quiet; string scene{}; vector<Setting> settings{}; };
 static Command read_command(int argc, char** argv) {
-  Command c;
-  Parameters defaults;
-  std::map<string, std::pair<string, CLI::Option*>> given;
-  CLI::App app{
-      "TinyDEM, teaching edition: soft spheres with sliding, rolling and twisting friction"};
+  Command c{}; Parameters defaults;
+  CLI::App app{"TinyDEM: soft spheres with sliding, rolling and twisting friction"};
   app.set_version_flag("--version", version);
   app.add_option("--scene", c.scene, "scene file: lines name = value with the names below");
   app.add_flag("--overwrite", c.overwrite, "replace the run in the output directory");
   app.add_flag("--resume", c.resume, "go on with the run in the output directory");
   app.add_flag("--quiet", c.quiet, "no lines on the standard output");
-  const auto write_contacts = [&] { c.settings.push_back({"contacts", "on", "command line"}); };
-  app.add_flag_callback("--contacts", write_contacts, "write the contacts of every frame");
   for (const Option& o : options(defaults)) {
-    if (o.name == string("contacts")) continue;
-    const string name = o.name, formula = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : "";
-    const string help = string(o.help) + " [" + o.dimension + "], " + o.range + ", default " +
-                        (formula.empty() ? text(o) : formula);
-    auto& [value, option] = given[name];
-    option = app.add_option((string(o.range) == "path" ? "" : "--") + name, value, help);
-    option->type_name("");
-  }
+    const string name = o.name;
+    const string value = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : text(o);
+    const string help = string(o.help) + " [" + o.dimension + "], " + o.range + ", default ";
+    const string dashes = string(o.range) == "path" ? "" : "--";
+    const auto store = [&c, name, dashes](const string& s) {  // an empty string skips a path
+      if (!s.empty() || !dashes.empty()) c.settings.push_back({name, s, "command line"}); };
+    if (name == "contacts") app.add_flag_callback("--contacts", [store] { store("on"); }, o.help);
+    else app.add_option_function<string>(dashes + name, store, help + value)->type_name(""); }
   app.allow_extras();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
+  try { app.parse(argc, argv); } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) std::exit(app.exit(e));
-    throw InputError(string("command line: ") + e.what() + "; see --help");
-  }
-  for (const auto& [name, a] : given)  // an empty string skips a path
-    if (a.second->count() > 0 && !(a.first.empty() && a.second->get_positional()))
-      c.settings.push_back({name, a.first, "command line"});
-  for (const string& extra : app.remaining())
-    c.settings.push_back(
-        {extra.substr(min(extra.find_first_not_of('-'), extra.size())), "", "command line"});
+    throw InputError(string("command line: ") + e.what() + "; see --help"); }
+  for (const string& a : app.remaining())
+    c.settings.push_back({a.substr(min(a.find_first_not_of('-'), a.size())), "", "command line"});
   return c;
 }
 static void run(const Command& command) {
   const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
     all.insert(all.end(), command.settings.begin(), command.settings.end());
-    return resolve(all);
-  };
+    return resolve(all); };
   Parameters p = settings(command.scene);
-  const string folder = p.output, ini = (fs::path(folder) / "scene.ini").string();
+  const string folder = p.output, ini = folder + "/scene.ini";
   const bool resuming = command.resume && fs::exists(ini);
   if (resuming) p = settings(ini), p.output = folder;
   Simulation s(p, p.mesh.empty() ? Mesh() : read_mesh(p.mesh, p.Rmesh.size()),
                p.particles.empty() ? vector<Particle>() : read_particles(p.particles));
   if (!resuming) open_folder(p, command.overwrite);
-  const auto now = [] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-  };
-  const long first = resuming ? resume(s) : 0;
-  const double start = now();
+  if (const double times = double(p.dt / default_step(p)); times > 1.01)
+    std::cerr << "warning: dt is " << times << " times Eq. (50): about " << 12.7 / times
+              << " steps per contact, errors of " << 2 * times << " %, unstable from 5 times\n";
+  const auto now = [] { return double(std::chrono::steady_clock::now().time_since_epoch() / 1ns); };
+  const long first = resuming ? resume(s) : 0; const double start = now();
   for (long frame = first; frame <= p.Nframes; ++frame) {
-    const double begin = now();
-    if (frame > 0) s.run(p.Nsteps);
-    const Summary e = write_frame(s, frame, double(s.size()) * double(p.Nsteps) / (now() - begin));
+    const double begin = now(); if (frame > 0) s.run(p.Nsteps);
+    const Summary e = write_frame(s, frame, 1e9 * double(s.size() * p.Nsteps) / (now() - begin));
     if (!command.quiet)
       std::cout << "frame " << frame << "/" << p.Nframes << "  t = " << s.time()
                 << "  N = " << s.size() << "  contacts = " << e.contacts
                 << "  kinetic energy = " << e.kinetic + e.rotational << std::endl;
-    const double spent = now() - start,
-                 left = spent / double(max(frame - first, 1L)) * double(p.Nframes - frame);
-    if (isatty(2))
-      std::cerr << "\r" << 100 * frame / max(p.Nframes, 1L) << " %, " << long(spent) << " s, "
-                << long(left) << " s to go   " << (frame == p.Nframes ? "\n" : "") << std::flush;
-  }
+    const double each = 1e-9 * (now() - start) / double(max(frame - first, 1L));
+    if (isatty(2)) std::cerr << "\r" << long(each * double(p.Nframes - frame)) << " s to go   "; }
 }
 }  // namespace tinydem
-
 int main(int argc, char** argv) {
-  try {
-    tinydem::run(tinydem::read_command(argc, argv));
-  } catch (const tinydem::InputError& e) {
-    return std::cerr << "error: " << e.what() << std::endl, 2;
-  } catch (const std::exception& e) {
-    return std::cerr << "error: " << e.what() << std::endl, 1;
-  }
+  try { tinydem::run(tinydem::read_command(argc, argv)); } catch (const std::exception& e) {
+    std::cerr << "error: " << e.what() << std::endl;
+    return dynamic_cast<const tinydem::InputError*>(&e) ? 2 : 1; }
 }
 #endif

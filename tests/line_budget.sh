@@ -1,0 +1,9 @@
+#!/bin/sh
+# line_budget.sh LINES: the two files of the solver together have at most so many, and none is wide.
+set -eu
+cd "$(dirname "$0")/../tinydem"
+lines=$(cat tinydem.hpp tinydem.cpp | wc -l)
+echo "tinydem.hpp and tinydem.cpp have $lines lines, $1 are allowed"
+wide=$(awk 'length > 100 { print FILENAME ":" FNR ": more than 100 columns" }' tinydem.hpp tinydem.cpp)
+echo "$wide"
+[ "$lines" -le "$1" ] && [ -z "$wide" ]
