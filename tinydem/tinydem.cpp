@@ -254,37 +254,38 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side);                           // Eq. (47)
 }
-struct Step { Vec3 h, k; real way, spin2, excess; };
+struct Moved { Vec3 x, v, w; Quaternion q; real way2, spin2, excess, angle2; };
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
 template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Step> steps; b.excess = -1;
+  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Moved> moved; b.excess = -1;
   for (int first = b.first; first < b.last; first += block) {
     const int n = min(block, b.last - first);
     grains.gather(n, [&](int l) { return &s.grains[first + l].x.x; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
-      Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
+      const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
       Vec3 a = g.m_inv * g.f + gravity;                                         // Eq. (42)
       Vec3 alpha = I_inv * g.t;                                                 // Eq. (43)
       if constexpr (drag) {
         const real c = stokes * g.R_inv * g.R_inv;                              // Eq. (3)
         const real gamma = real(10) / 3 * c;                                    // Eq. (4)
         a = a - c * g.v, alpha = alpha - gamma * g.w; }
-      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha;
-      g.v += dt * a;                                                            // Eq. (44)
-      g.x += dt * g.v;                                                          // Eq. (45)
-      g.w += dt * alpha;                                                        // Eq. (46)
-      if constexpr (orientation) g.q = turned<false>(g.q, h, k, side);
-      g.f = Vec3(), g.t = Vec3(), grains.set(l, g);
-      steps.set(l, {h, k, dt * norm(g.v), square(g.w), norm(g.x - g.x0) - (g.reach - g.R)}); }
+      const Vec3 v = g.v + dt * a;                                              // Eq. (44)
+      const Vec3 x = g.x + dt * v;                                              // Eq. (45)
+      const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
+      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; Quaternion q = g.q;
+      if constexpr (orientation) q = turned<false>(g.q, h, k, side);
+      const real excess = norm(x - g.x0) - (g.reach - g.R), angle2 = square(h) + square(k);
+      moved.set(l, {x, v, w, q, square(dt * v), square(w), excess, angle2}); }
     for (int l = 0; l < n; ++l) {
-      const int i = first + l; const Step m = steps.get(l); Grain g = grains.get(l);
-      if (orientation && square(m.h) + square(m.k) > small_angle2)
-        g.q = turned<true>(s.grains[i].q, m.h, m.k, side);
-      if (!(m.way <= g.R)) fail(b, i, "moved more than its radius in one step");
-      if (!(m.spin2 < inf)) fail(b, i, "spins too fast for a finite energy");
-      s.grains[i] = g, b.excess = max(b.excess, m.excess); }}
+      const Moved m = moved.get(l); Grain& g = s.grains[first + l];
+      if (!(m.way2 <= g.R * g.R)) fail(b, first + l, "moved more than its radius in one step");
+      if (!(m.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
+      if (orientation && m.angle2 > small_angle2)
+        g.q = turned<true>(g.q, dt / 2 * g.w, dt / 4 * (m.w - g.w), side);
+      else if (orientation) g.q = m.q;
+      g.x = m.x, g.v = m.v, g.w = m.w, g.f = g.t = Vec3(), b.excess = max(b.excess, m.excess); }}
   b.failed = b.culprit >= 0;
 }
 typedef void Phase(Simulation&, Slab&);
