@@ -15,6 +15,7 @@ def draw(data, out):
         ax[0][1].loglog(run["dt_over_eq50"], np.clip(run["v_rms_m_s"], 1e-8, 10), **dots)
         ax[1][0].semilogx(run["dt_over_eq50"][fine], run["angle_deg"][fine], **dots)
         ax[1][1].loglog(run["wall_time_s"][fine], np.maximum(run["v_rms_m_s"][fine], 1e-8), **dots)
+        ax[1][1].xaxis.set_minor_formatter("")  # labels between the decades would overlap
     ax[0][1].axhline(1e-3, color="0.45", linewidth=0.9)
     ax[0][1].text(0.26, 1.4e-3, "counts as rest", fontsize=7, color="0.35")
     style.label(ax[0][0], "time / s", "speed, RMS / (m/s)", "96 spheres, step of Eq. (50)")
