@@ -291,7 +291,7 @@ template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b
 typedef void Phase(Simulation&, Slab&);
 /// A phase of the step for each instruction set; the machine chooses when a run starts.
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
-#ifdef __x86_64__
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)  // one is enough to check
 #define TINYDEM_FOR(set) template <Phase* phase> __attribute__((target(set))) void
 TINYDEM_FOR("avx2") avx2(Simulation& s, Slab& b) { phase(s, b); }
 TINYDEM_FOR("avx512f,avx512vl,avx512dq") avx512(Simulation& s, Slab& b) { phase(s, b); }

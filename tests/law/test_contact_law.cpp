@@ -224,7 +224,7 @@ TEST_CASE("exact: the hot loop gives the bits of the law, contact by contact") {
   CHECK(bits_that_differ<Modes<1, 1, 1, true>>("mus = 0.5; mur = 0.1; scheme = paper; dt = 1e-5") == 0);
 }
 
-#ifdef __x86_64__
+#ifdef TINYDEM_FOR
 TEST_CASE("exact: the same bits on every instruction set") {
   constexpr Phase *law = forces<Modes<1, 1, 1>>, *move = motion<1, 0>;
   const auto run = [](Phase* forces, Phase* motion) {
