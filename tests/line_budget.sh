@@ -4,6 +4,6 @@ set -eu
 cd "$(dirname "$0")/../tinydem"
 lines=$(cat tinydem.hpp tinydem.cpp | wc -l)
 echo "tinydem.hpp and tinydem.cpp have $lines lines, $1 are allowed"
-wide=$(awk 'length > 100 { print FILENAME ":" FNR ": more than 100 columns" }' tinydem.hpp tinydem.cpp)
-echo "$wide"
-[ "$lines" -le "$1" ] && [ -z "$wide" ]
+awk 'length > 100 { print FILENAME ":" FNR ": more than 100 columns"; wide = 1 } END { exit wide }' \
+  tinydem.hpp tinydem.cpp
+[ "$lines" -le "$1" ]

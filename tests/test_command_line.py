@@ -242,7 +242,8 @@ class CommandLine(unittest.TestCase):
     # --------------------------------------------------------------------------------- restart
 
     def test_a_killed_run_resumes_bit_for_bit(self):
-        arguments = ["--scene", "scene.ini", "--Nframes", 30, "--Nsteps", 200, "--Nmax", 150, "--Nspawn", 1, "--contacts"]
+        arguments = ["--scene", "scene.ini", "--Nframes", 30, "--Nsteps", 200, "--Nmax", 150, "--Nspawn", 1, "--contacts",
+                     "--motion", "0 vibrate 0.001,0,0.001 30 1"]
         self.run_it("", "", "whole", *arguments)
         numbers = random.Random(time.time_ns())
         resume, kills = [], 0

@@ -111,8 +111,8 @@ TEST_CASE("exact: the tree finds every element within reach") {
     const Vec3 x = random.vector(real(1.5));
     const real reach = random(0, real(0.3));
     vector<int> found(mesh.elements.size());
-    const auto count_it = [&](int e) { ++found[s.mesh_tree.order[e]], ++visited; };
-    s.mesh_tree.visit(x, reach, count_it);
+    for (const Group& g : s.groups)
+      g.tree.visit(Box::around(x, reach), [&](int e) { ++found[g.tree.order[e]], ++visited; });
     for (size_t e = 0; e < found.size(); ++e) {
       const bool close = norm(x - closest_point(mesh, mesh.elements[e], x)) < reach + radii[size_t(mesh.elements[e].group)];
       near += close, missed += close && !found[e], repeated += found[e] > 1;

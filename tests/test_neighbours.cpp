@@ -158,6 +158,7 @@ TEST_CASE("exact: springs survive a new list and a new order of particles") {
     const auto before = springs(s, mirrored, different);
     const vector<int> order = s.id;
     s.stale = true;
+    if (k % 4 != 0) s.particle_tree.order.clear();  // sort, which is not done every time
     s.list_neighbours();
     CHECK(before.size() > 100);
     CHECK(springs(s, mirrored, different) == before);

@@ -78,8 +78,7 @@ inline vector<Particle> swarm(int n, unsigned seed = 1) {
 
 inline bool same_bits(const vector<Particle>& a, const vector<Particle>& b) {
   const auto equal = [](Particle p, Particle q) {
-    if (std::memcmp(&p, &q, sizeof p) != 0) return false;  // 14 numbers without padding
-    return true;
+    return std::memcmp(&p, &q, sizeof p) == 0;  // 14 numbers without padding
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
 }

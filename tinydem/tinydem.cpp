@@ -15,18 +15,15 @@ struct Option {
   template <class T> T& as() const { return *static_cast<T*>(at); }
   Reals numbers() const {
     return type == 's' ? Reals() : type == 'R' ? as<Reals>() : type == 'l' ? Reals{real(as<long>())}
-                       : Reals(&as<real>(), &as<real>() + (type == 'V' ? 3 : 1)); }
-};
+                       : Reals(&as<real>(), &as<real>() + (type == 'V' ? 3 : 1)); } };
 static vector<Option> options(Parameters& p) {
 #define X(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
   return {TINYDEM_PARAMETERS(X)};
 #undef X
 }
-static string text(const Reals& values, int digits = 0) {
-  string s;
+static string text(const Reals& values, int digits = 0) { string s;
   for (const real& a : values) s += (&a == &values[0] ? "" : ",") + text(a, digits);
-  return s;
-}
+  return s; }
 static string text(const Option& o) { return o.type == 's' ? o.as<string>() : text(o.numbers()); }
 /// Stores the text of a setting; false when it is malformed.
 static bool assign(const Option& o, const string& s) {
@@ -38,25 +35,36 @@ static bool assign(const Option& o, const string& s) {
   if (o.type == 'R') return o.as<Reals>() = a, true;
   if (a.size() != o.numbers().size()) return false;
   if (o.type != 'l') return std::copy(a.begin(), a.end(), &o.as<real>()), true;
-  return a[0] == std::floor(a[0]) && abs(a[0]) < real(4e18) && (o.as<long>() = long(a[0]), true);
-}
+  return a[0] == std::floor(a[0]) && abs(a[0]) < real(4e18) && (o.as<long>() = long(a[0]), true); }
+/// Reads the parameter `motion` into the groups that it names; false when it is malformed.
+static bool read_motion(const Parameters& p, vector<Group>& groups) {
+  for (const string& entry : split(p.motion, ';')) {
+    const auto word = split(entry, ' '); const size_t n = word.size(); long k = -1;
+    const auto put = [&](size_t i, void* at, char type) {
+      return i < n && assign({"", "", "", "", at, type}, word[i]); };
+    if (n == 0) continue;
+    if (!put(0, &k, 'l') || k < 0 || k >= count(groups) || n < 3 || groups[k].moves) return false;
+    Group& g = groups[k]; const string& kind = word[1]; g.moves = true;
+    if (!(kind == "translate" ? n == 3 && put(2, &g.V, 'V')
+        : kind == "rotate" ? n == 4 && put(2, &g.P, 'V') && put(3, &g.W, 'V')
+        : kind == "vibrate" && put(2, &g.A, 'V') && put(3, &g.F, 'r') && n <= 5 &&
+          (n == 4 || put(4, &g.phase, 'r')))) return false; }
+  return true; }
 /// Are the numbers of an option in its range, e.g. "(-1, 0.5]", "[Rmin, inf)"?
 static bool in_range(const Option& o, const Parameters& p) {
   double low = -HUGE_VAL, high = HUGE_VAL; std::sscanf(o.range + 1, "%lf, %lf", &low, &high);
-  const Reals a = o.numbers();
+  const Reals a = o.numbers(); vector<Group> groups(p.Rmesh.size());
   for (const real v : a)
     if (!(v >= real(low) && v <= real(high)) || (v == real(low) && *o.range == '(')) return false;
-  return (o.at != &p.Rmax || a[0] >= p.Rmin) &&
-         (o.at != &p.smax || (a[0] >= p.smin.x && a[1] >= p.smin.y && a[2] >= p.smin.z));
-}
+  return (o.at != &p.Rmax || a[0] >= p.Rmin) && (o.at != &p.motion || read_motion(p, groups)) &&
+         (o.at != &p.smax || (a[0] >= p.smin.x && a[1] >= p.smin.y && a[2] >= p.smin.z)); }
 /// Number of letters to change, insert or remove between two names.
 static size_t distance(const string& a, const string& b) {
   vector<size_t> d(b.size() + 1); for (size_t j = 0; j <= b.size(); ++j) d[j] = j;
   for (size_t i = 1; i <= a.size(); ++i)
     for (size_t j = 1, was = std::exchange(d[0], i); j <= b.size(); ++j)
       was = std::exchange(d[j], min({d[j] + 1, d[j - 1] + 1, was + (a[i - 1] != b[j - 1])}));
-  return d.back();
-}
+  return d.back(); }
 vector<Setting> read_scene(const string& path) {
   Reader in(path); vector<Setting> all;
   while (in.next('=')) {
@@ -67,11 +75,9 @@ vector<Setting> read_scene(const string& path) {
     for (const Setting& o : all)
       if (o.name == s.name) in.complain("'" + s.name + "' is repeated, it stands in " + o.where);
     all.push_back(s); }
-  return in.problems.stop_if_any(), all;
-}
+  return in.problems.stop_if_any(), all; }
 static real default_step(const Parameters& p) {
-  return p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E);                        // Eq. (50)
-}
+  return p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E); }                      // Eq. (50)
 Parameters resolve(const vector<Setting>& settings) {
   Parameters p; Problems problems; std::map<string, Setting> used;
   const auto complain = [&](const Option& o, const Setting& s) {
@@ -91,8 +97,7 @@ Parameters resolve(const vector<Setting>& settings) {
   for (const Option& o : table)
     if (!in_range(o, p) && (used.count(o.name) || problems.count == 0))
       complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), "default"});
-  return problems.stop_if_any(), p;
-}
+  return problems.stop_if_any(), p; }
 // ---------------------------------------------------------------------------- 2 contact law
 //     i          d = x_i - x_j points from j to i, n = d/|d|; forces act on i, and with the
 //   ( ^ )        opposite sign on j. T is the type of one number. The compiler turns these lines
@@ -101,21 +106,18 @@ Parameters resolve(const vector<Setting>& settings) {
 //     j          fn = fn - select(c.delta < h, F0, T(0));
 template <class T> INLINE T select(bool c, T a, T b) { return c ? a : b; }
 template <class T> INLINE Vec<T> select(bool c, const Vec<T>& a, const Vec<T>& b) {
-  return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z)};
-}
+  return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z)}; }
 template <class T> Material<T> material_of(const Parameters& p) {
-  const T E = T(p.E), nu = T(p.nu), en = T(p.en);
-  Material<T> m;
+  const T E = T(p.E), nu = T(p.nu), en = T(p.en); Material<T> m;
   m.Estar = E / (2 * (1 - nu * nu));                                            // Eq. (15)
   m.Gstar = E / (4 * (2 - nu) * (1 + nu));                                      // Eq. (16)
   m.beta = 1 / std::sqrt(1 + std::pow(T(pi) / std::log(en), T(2)));             // Eq. (21)
   m.cs_cn = std::sqrt((1 - nu) / (10 * (2 - nu)));                              // Eq. (25)
   m.mus = T(p.mus), m.mur = T(p.mur), m.mut = T(p.mut), m.dt = T(p.dt);
-  return m;
-}
+  return m; }
 /// Geometry and relative motion of a contact; R: the smaller radius, stiff: 2 at a wall, else 1.
-template <class T> struct Approach { T delta, R, ri, rj, Rstar, mstar, vn, vt, stiff; Vec<T> n, vs,
-    vr; };
+template <class T> struct Approach {
+  T delta, R, ri, rj, Rstar, mstar, vn, vt, stiff; Vec<T> n, vs, vr; };
 template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) {
   Approach<T> c;
   const bool wall = j.R_inv == 0;
@@ -124,7 +126,8 @@ template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& 
   const Vec<T> d = i.x - j.x;                                                   // Eq. (8)
   const T distance = norm(d);
   c.delta = i.R + j.R - distance;                                               // Eq. (7)
-  c.n = (1 / distance) * d;                                                     // Eq. (9)
+  const T inverse = 1 / distance;
+  c.n = inverse * d;                                                            // Eq. (9)
   c.Rstar = 1 / (i.R_inv + j.R_inv);                                            // Eq. (17)
   c.mstar = 1 / (i.m_inv + j.m_inv);                                            // Eqs. (20, 24)
   c.ri = i.R - c.delta / 2;                                                     // Eq. (29)
@@ -133,17 +136,15 @@ template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& 
   c.vn = dot(v, c.n);                                                           // Eq. (27)
   c.vs = v - c.vn * c.n;                                                        // Eq. (28)
   const Vec<T> w = i.w - j.w;                                                   // Eq. (38)
-  const T r = select(wall, c.ri, c.ri * c.rj / (c.ri + c.rj));
+  const T r = select(wall, c.ri, c.ri * c.rj * inverse);  // r_i + r_j = |d|
   c.vr = r * cross(w, c.n);                                                     // Eq. (36)
   c.vt = c.Rstar * dot(w, c.n);                                                 // Eq. (37)
-  return c;
-}
+  return c; }
 /// Turns a spring into the tangent plane and keeps its length, Eq. (52).
 template <class T> INLINE Vec<T> turn(const Vec<T>& u, const Vec<T>& n) {
   const Vec<T> flat = u - dot(u, n) * n;
   const T scale = sqrt(square(u) / square(flat));
-  return select(square(flat) > 0, scale * flat, flat);
-}
+  return select(square(flat) > 0, scale * flat, flat); }
 /// Stiffness, damping, largest force and time step of one friction mode.
 template <class T> struct Mode { T k, c, limit, dt; };
 /// Force of one friction mode m; advances its spring. V: a vector (s, r) or a number (t).
@@ -156,8 +157,7 @@ template <class M, class T, class V> INLINE V friction(V& u, const V& v, const M
   f = select(slip, m.limit / length * f, f);                                    // Eq. (54)
   const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
   u = select(slip, -(1 / m.k * rest), u);                                       // Eq. (55)
-  return f;
-}
+  return f; }
 /// Force on i (and its opposite on j), torque on i, torque on j.
 template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
 /// The contact law. M says which friction modes the scene has.
@@ -190,20 +190,22 @@ INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<
     const Vec<T> tt = ft * c.Rstar * c.n;                                       // Eq. (33)
     r.ti += tt, r.tj += -tt;                                                    // Eq. (59)
   }
-  return r;
-}
+  return r; }
 // ------------------------------------------------------------------------------- 3 time step
 template <bool s, bool r, bool t, bool p = false> struct Modes {  // what is compiled in
-  static constexpr bool sliding = s, rolling = r, twisting = t, printed = p, any = s || r || t;
-};
+  static constexpr bool sliding = s, rolling = r, twisting = t, printed = p, any = s || r || t; };
 static void fail(Slab& b, int i, const char* why) {
-  if (b.culprit < 0) b.culprit = i, b.reason = why;
-}
+  if (b.culprit < 0) b.culprit = i, b.reason = why; }
 /// A mesh element as a particle sees it: a body at its closest point.
 Body<real> Simulation::wall(int element, const Vec3& centre) const {
-  const Element& e = mesh.elements[element];
-  return {closest_point(mesh, e, centre), p.Rmesh[e.group], {}, 0, {}, 0};
-}
+  const Element& e = mesh.elements[element]; const Group& g = groups[e.group];
+  if (!g.moves) return {closest_point(mesh, e, centre), p.Rmesh[e.group], {}, 0, {}, 0};
+  const Vec3 x = g.there(closest_point(mesh, e, g.back(centre)));
+  return {x, p.Rmesh[e.group], g.v + cross(g.W, x - g.P), 0, g.W, 0}; }
+/// Turns the springs of a contact with a rotating mesh element: they are at rest on its surface.
+void Simulation::carry(const Pair& c, Springs<real>& u) const {
+  const Group& g = groups[mesh.elements[-1 - c.j].group];
+  if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur); }
 struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in the order of the list.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
@@ -217,10 +219,11 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       const Body<real>& j = p.j < 0 ? wall[n] = s.wall(-1 - p.j, i.x) : s.grains[p.j];
       const bool touch = square(i.x - j.x) < square(i.R + j.R);                 // Eq. (7)
       if (M::any && touch != p.touching) b.springs[next] = {};
+      if (M::any && touch && p.j < 0) s.carry(p, b.springs[next]);
       p.touching = touch, k[n] = next, n += touch; }
-    bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i].x.x; });
+    bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i]; });
     bj.gather(n, [&](int l) {
-      const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l].x.x : &s.grains[j].x.x; });
+      const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });
     if (M::any) springs.gather(n, [&](int l) { return &b.springs[k[l]]; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
@@ -235,34 +238,31 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       if (M::any) b.springs[k[l]] = springs.get(l);
       s.grains[i].f += r.f, s.grains[i].t += r.ti;                              // Eqs. (1, 2)
       if (j < b.first || j >= b.last) continue;  // a wall, or the other slab adds to j
-      s.grains[j].f += -r.f, s.grains[j].t += r.tj; }}                          // Eqs. (56, 57)
-}
+      s.grains[j].f += -r.f, s.grains[j].t += r.tj; }} }                        // Eqs. (56, 57)
 /// p q for side = 1, q p for side = -1.
 INLINE Quaternion product(const Quaternion& p, const Quaternion& q, real side) {  // Eq. (49)
-  return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)};
-}
+  return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)}; }
 constexpr real small_angle2 = real(0.004);  // below it the series are exact to the last digit
 /// The quaternion (cos |h|, sin |h| h/|h|).
 template <bool large> INLINE Quaternion rotation(const Vec3& h) {
   constexpr auto over = [](int n) { return 1 / real(n); }; const real h2 = square(h);
   if (large && h2 > small_angle2) return {std::cos(sqrt(h2)), std::sin(sqrt(h2)) / sqrt(h2) * h};
   return {1 - h2 * (over(2) - h2 * (over(24) - h2 * (over(720) - h2 * over(40320)))),
-          (1 - h2 * (over(6) - h2 * (over(120) - h2 * (over(5040) - h2 * over(362880))))) * h};
-}
+          (1 - h2 * (over(6) - h2 * (over(120) - h2 * (over(5040) - h2 * over(362880))))) * h}; }
 template <bool large>
 INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
-  return product(theta, product(phi, q, side), side);                           // Eq. (47)
-}
-struct Moved { Vec3 x, v, w; Quaternion q; real way2, spin2, excess, angle2; };
+  return product(theta, product(phi, q, side), side); }                         // Eq. (47)
+struct Check { real way2, spin2, excess, angle2; };
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
 template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Moved> moved; b.excess = -1;
+  const Vec3 gravity = s.p.g; b.excess = -1;
+  Block<Grain> grains; Block<Rigid> moved; Block<Check> checks;
   for (int first = b.first; first < b.last; first += block) {
     const int n = min(block, b.last - first);
-    grains.gather(n, [&](int l) { return &s.grains[first + l].x.x; });
+    grains.gather(n, [&](int l) { return &s.grains[first + l]; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
       Vec3 a = g.m_inv * g.f + gravity;                                         // Eq. (42)
@@ -277,17 +277,16 @@ template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b
       const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; Quaternion q = g.q;
       if constexpr (orientation) q = turned<false>(g.q, h, k, side);
       const real excess = norm(x - g.x0) - (g.reach - g.R), angle2 = square(h) + square(k);
-      moved.set(l, {x, v, w, q, square(dt * v), square(w), excess, angle2}); }
+      moved.set(l, {{x, g.R, v, g.m_inv, w, g.R_inv}, q});
+      checks.set(l, {square(dt * v) - g.R * g.R, square(w), excess, angle2}); }
     for (int l = 0; l < n; ++l) {
-      const Moved m = moved.get(l); Grain& g = s.grains[first + l];
-      if (!(m.way2 <= g.R * g.R)) fail(b, first + l, "moved more than its radius in one step");
-      if (!(m.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
-      if (orientation && m.angle2 > small_angle2)
-        g.q = turned<true>(g.q, dt / 2 * g.w, dt / 4 * (m.w - g.w), side);
-      else if (orientation) g.q = m.q;
-      g.x = m.x, g.v = m.v, g.w = m.w, g.f = g.t = Vec3(), b.excess = max(b.excess, m.excess); }}
-  b.failed = b.culprit >= 0;
-}
+      const Check c = checks.get(l); Grain& g = s.grains[first + l]; const Rigid was = g;
+      if (!(c.way2 <= 0)) fail(b, first + l, "moved more than its radius in one step");
+      if (!(c.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
+      moved.copy(l, g), g.f = g.t = Vec3(), b.excess = max(b.excess, c.excess);
+      if (orientation && c.angle2 > small_angle2)
+        g.q = turned<true>(was.q, dt / 2 * was.w, dt / 4 * (g.w - was.w), side); }}
+  b.failed = b.culprit >= 0; }
 typedef void Phase(Simulation&, Slab&);
 /// A phase of the step for each instruction set; the machine chooses when a run starts.
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
@@ -297,8 +296,7 @@ TINYDEM_FOR("avx2") avx2(Simulation& s, Slab& b) { phase(s, b); }
 TINYDEM_FOR("avx512f,avx512vl,avx512dq") avx512(Simulation& s, Slab& b) { phase(s, b); }
 template <Phase* phase> static Phase* best() {
   const bool wide = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wide ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>;
-}
+  return wide ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>; }
 #else
 template <Phase* phase> static Phase* best() { return base<phase>; }
 #endif
@@ -313,49 +311,58 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
                 : best_forces<0, 0, 0>();
+  groups.resize(p.Rmesh.size()), read_motion(p, groups);
   sort_elements(); for (const Particle& particle : initial) add(particle);
-  list_neighbours(); Problems problems;
-  for (const Contact& c : contacts()) if (!(c.delta <= c.R))
-    problems.add("particle " + to_string(c.i + 1), "overlaps " +
-        (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
-        " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it");
-  supplied += summary().elastic;
+  list_neighbours(); Problems problems; real elastic = 0;
+  each_contact([&](const Contact& c) {
+    if (elastic += c.energy; !(c.delta <= c.R))
+      problems.add("particle " + to_string(c.i + 1), "overlaps " +
+          (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
+          " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it"); });
+  supplied += elastic;
   if (!std::isfinite(supplied)) problems.add("particles", "have no finite energy; slow them down");
-  problems.stop_if_any();
-}
+  problems.stop_if_any(); }
 void Simulation::sort_elements() {
-  mesh_tree.build(count(mesh.elements), [&](int k) {
-    Box box; const Element& e = mesh.elements[k]; const Vec3 R = p.Rmesh[e.group] * Vec3{1, 1, 1};
-    for (int c = 0; c < e.n; ++c) box.add(mesh.corner(e, c) - R, mesh.corner(e, c) + R);
-    return box; });
-}
+  for (int group = 0; group < count(groups); ++group) {
+    Group& g = groups[group]; vector<int> all; vector<Box> boxes; real far = 0;
+    for (const Element& e : mesh.elements) if (e.group == group) {
+      all.push_back(int(&e - &mesh.elements[0])), boxes.push_back(Box());
+      for (int c = 0; c < e.n; ++c)
+        boxes.back().add(Box::around(mesh.corner(e, c), p.Rmesh[group])),
+        far = max(far, norm(mesh.corner(e, c) - g.P)); }
+    g.tree.build(count(all), [&](int k) { return boxes[k]; });
+    for (int& k : g.tree.order) k = all[k];
+    g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
+    g.step = rotation<true>(p.dt / 2 * g.W); }
+  move_mesh(); }
+void Simulation::move_mesh() {
+  for (Group& g : groups) if (g.moves) {
+    const real angle = 2 * pi * g.F * time() + g.phase;
+    g.shift = (std::sin(angle) - std::sin(g.phase)) * g.A + time() * g.V;
+    g.v = 2 * pi * g.F * std::cos(angle) * g.A + g.V, g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) {
   const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
-  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q, {}, {}, a.x, a.R});
+  grains.push_back({{{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q}, {}, {}, a.x, a.R});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
-  id.push_back(count(id)), stale = true;
-}
+  id.push_back(count(id)), stale = true; }
 /// No particle and no mesh element within the sphere?
 bool Simulation::is_free(const Vec3& centre, real R) const {
-  bool free = true; real excess = 0;
-  for (const Slab& b : slabs) excess = max(excess, b.excess);
+  bool free = true; real excess = 0; for (const Slab& b : slabs) excess = max(excess, b.excess);
   const auto check = [&](const Body<real>& j) { free &= square(centre - j.x) >= square(R + j.R); };
-  particle_tree.visit(centre, R + excess, [&](int j) { check(grains[j]); });
+  particle_tree.visit(Box::around(centre, R + excess), [&](int j) { check(grains[j]); });
   for (int j = count(particle_tree.order); j < size(); ++j) check(grains[j]);  // just spawned
-  if (free) mesh_tree.visit(centre, R, [&](int k) { check(wall(mesh_tree.order[k], centre)); });
-  return free;
-}
+  for (const Group& g : groups) if (free) g.tree.visit(
+      Box::around(g.back(centre), R), [&](int k) { check(wall(g.tree.order[k], centre)); });
+  return free; }
 /// Draws places in the spawn box; a radius that found no room waits for the next attempt.
-void Simulation::spawn() {
-  const Vec3 box = p.smax - p.smin;
+void Simulation::spawn() { const Vec3 box = p.smax - p.smin;
   const auto uniform = [&] { return ++draws, real(double(random() >> 11) * 0x1p-53); };  // [0, 1)
   for (long k = 0; k < p.Nspawn && size() < p.Nmax; ++k) {
     const Vec3 at = p.smin + Vec3{uniform() * box.x, uniform() * box.y, uniform() * box.z};
     if (spawn_radius <= 0) spawn_radius = p.Rmin + (p.Rmax - p.Rmin) * uniform();
     if (!is_free(at, spawn_radius)) continue;
-    add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0}); }
-}
+    add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0}); }}
 /// Sorts particles. Their reach is the radius and what they cover until the list is built anew;
 /// `horizon` balances the cost of building against that of idle pairs.
 void Simulation::sort_particles() {
@@ -364,14 +371,17 @@ void Simulation::sort_particles() {
   const bool early = build * size() > carry * idle * double(steps - listed_at);
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
   const real mean = radii / real(max(size(), 1));
-  for (Grain& g : grains) g.x0 = g.x, g.reach = g.R + horizon * (mean / 50 + 10 * p.dt * norm(g.v));
-  particle_tree.build(size(), [&](int i) {
-    const Vec3 &x = grains[i].x, R = grains[i].reach * Vec3{1, 1, 1}; return Box{x - R, x + R}; });
-  const auto permute = [&](auto& all) {
-    auto sorted = all; for (int i = 0; i < size(); ++i) sorted[i] = all[particle_tree.order[i]];
-    all.swap(sorted); };
-  permute(grains), permute(id);
-}
+  const auto slack = [&](real speed) { return horizon * (mean / 50 + 10 * p.dt * speed); };
+  for (Grain& g : grains) g.x0 = g.x, g.reach = g.R + slack(norm(g.v));
+  for (Group& g : groups) g.slack = g.moves ? slack(g.speed) : 0;
+  const bool sort = count(particle_tree.order) != size() || rebuilds % 16 == 0;
+  const auto box = [&](int i) { return Box::around(grains[i].x, grains[i].reach); };
+  particle_tree.build(size(), box, sort); vector<int> from = particle_tree.order;
+  for (int i = 0; i < size() && sort; ++i) {  // in place, cycle by cycle
+    const Grain grain = grains[i]; const int number = id[i]; int k = i;
+    for (int next; (next = std::exchange(from[k], k)) != i; k = next)
+      grains[k] = grains[next], id[k] = id[next];
+    grains[k] = grain, id[k] = number; } }
 /// Appends a pair to a slab, with the springs that it had before the particles were sorted.
 void Simulation::enlist(Slab& b, int i, int j) const {
   const int was_i = particle_tree.order[i], was_j = j < 0 ? j : particle_tree.order[j];
@@ -383,19 +393,27 @@ void Simulation::enlist(Slab& b, int i, int j) const {
   for (int k = first_pair[owner]; k < count(s.pairs) && s.pairs[k].i == owner; ++k) {
     if (s.pairs[k].j != partner) continue;
     b.pairs.back().touching = s.pairs[k].touching; if (friction) b.springs.back() = s.springs[k];
-    if (friction && mirrored) b.springs.back().us = -s.springs[k].us; }
-}
+    if (friction && mirrored) b.springs.back().us = -s.springs[k].us; }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
-  for (int i = b.first; i < b.last; ++i) {
+  struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
+  size_t room = 0; for (const Slab& s : old) room += s.pairs.size() * 5 / 4;  // without copies
+  room = room * size_t(b.last - b.first) / max(grains.size(), size_t(1));
+  b.pairs.reserve(room), b.springs.reserve(friction ? room : 0);
+  for (int i = b.first, last = i; i < b.last; ++i) {
     const Grain& g = grains[i];
-    const auto near = [&](const Vec3& x, real R) { return square(g.x - x) < square(g.reach + R); };
-    particle_tree.visit(g.x, g.reach, [&](int j) {  // in a slab each pair once
-      if ((j > i || j < b.first) && near(grains[j].x, grains[j].reach)) enlist(b, i, j); });
-    mesh_tree.visit(g.x, g.reach, [&](int k) {
-      const Body<real> j = wall(mesh_tree.order[k], g.x);
-      if (near(j.x, j.R)) enlist(b, i, -1 - mesh_tree.order[k]); });}
-}
+    const auto close = [&](const Vec3& x, real R) { return square(g.x - x) < square(g.reach + R); };
+    if (i == last) {  // neighbours search together
+      Box box; near.clear(), last = min(i + 8, b.last);
+      for (int k = i; k < last; ++k) box.add(Box::around(grains[k].x, grains[k].reach));
+      particle_tree.visit(box, [&](int j) {
+        if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach, j}); }); }
+    for (const auto& [x, reach, j] : near)  // in a slab each pair once
+      if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);
+    for (const Group& w : groups)
+      w.tree.visit(Box::around(w.back(g.x), g.reach + w.slack), [&](int k) {
+        const Body<real> j = wall(w.tree.order[k], g.x);
+        if (close(j.x, j.R + w.slack)) enlist(b, i, -1 - w.tree.order[k]); }); }}
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {
 #pragma omp barrier
@@ -410,70 +428,62 @@ void Simulation::list_neighbours() {
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) find_pairs(slabs[k]);
 #pragma omp single
-  old.clear(), ++rebuilds, listed_at = steps, stale = false;
-}
+  old.clear(), ++rebuilds, listed_at = steps, stale = false; }
 /// One time step, by all threads of a team; false when the run became unstable.
-bool Simulation::step() {
-  real excess = -1;
+bool Simulation::step() { real excess = -1;
   for (const Slab& b : slabs) if (excess = max(excess, b.excess); b.failed) return false;
+  for (const Group& g : groups)
+    excess = max(excess, real(steps - listed_at) * p.dt * g.speed - g.slack - real(!g.moves));
   if (stale || excess > 0) list_neighbours();
   const bool spawning = p.Nspawn > 0 && size() < p.Nmax;  // asked before a barrier, so by all alike
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) force_phase(*this, slabs[k]);
 #pragma omp for schedule(static)
-  for (int k = 0; k < count(slabs); ++k) motion_phase(*this, slabs[k]), steps += k == 0;
+  for (int k = 0; k < count(slabs); ++k)
+    if (motion_phase(*this, slabs[k]), k == 0) ++steps, move_mesh();
   if (spawning) {
 #pragma omp single
     spawn(); }
-  return true;
-}
+  return true; }
 void Simulation::run(long n) {
 #pragma omp parallel num_threads(min(omp_get_max_threads(), count(slabs)))
   for (long k = 0; k < n && step(); ++k) {}
   for (const Slab& b : slabs) if (b.failed)
       throw RunError("particle " + to_string(id[b.culprit] + 1) + " " + b.reason + " at t = " +
                      text(time()) + "; try a smaller --dt (now " + text(p.dt) +
-                     "), a larger --E or thicker mesh elements");
-}
+                     "), a larger --E or thicker mesh elements"); }
 vector<Particle> Simulation::particles() const {
-  vector<Particle> all(grains.size());
-  for (const Grain& g : grains)
+  vector<Particle> all(grains.size()); for (const Grain& g : grains)
     all[id[&g - &grains[0]]] = {g.x, g.R, g.v, {g.q.s, g.q.v.x, g.q.v.y, g.q.v.z}, g.w};
-  return all;
-}
-vector<Contact> Simulation::contacts() const {
-  vector<Contact> all;
+  return all; }
+/// Calls found(contact) for all contacts.
+template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
-  for (const Slab& b : slabs)
-    for (int k = 0; k < count(b.pairs); ++k) {
-      const auto [i, j, touching] = b.pairs[k];
-      if (0 <= j && j < i) continue;  // one half of those across slabs
-      const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);
-      if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
-      Springs<real> u = touching && friction ? b.springs[k] : Springs<real>{};
-      const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
-      const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
-      const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
-      all.push_back({id[i], j < 0 ? -1 : id[j], j < 0 ? -1 - j : -1, c.delta, c.R, c.mstar, r.kn,
-                     r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }
-  return all;
-}
-Summary Simulation::summary() const {
-  Summary s;
+  for (const Slab& b : slabs) for (int k = 0; k < count(b.pairs); ++k) {
+    const auto [i, j, touching] = b.pairs[k];
+    if (0 <= j && j < i) continue;  // one half of those across slabs
+    const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);
+    if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
+    Springs<real> u = touching && friction ? b.springs[k] : Springs<real>{};
+    const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
+    const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
+    const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
+    found(Contact{id[i], j < 0 ? -1 : id[j], j < 0 ? -1 - j : -1, c.delta, c.R, c.mstar, r.kn,
+                  r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }}
+vector<Contact> Simulation::contacts() const { vector<Contact> all;
+  return each_contact([&](const Contact& c) { all.push_back(c); }), all; }
+Summary Simulation::summary() const { Summary s;
   for (const Grain& g : grains) {
-    const real m = 1 / g.m_inv;
-    s.kinetic += m / 2 * square(g.v), s.potential -= m * dot(p.g, g.x);
+    const real m = 1 / g.m_inv; s.kinetic += m / 2 * square(g.v), s.potential -= m * dot(p.g, g.x);
     s.rotational += m / 5 * square(g.R) * square(g.w); }
   real shortest = inf;  // An elastic collision lasts 2.943 delta/v, with m* v^2/2 = 2/5 kn delta^2
-  for (const Contact& c : contacts()) {  // that is 3.29 sqrt(m*/kn).
+  each_contact([&](const Contact& c) {  // that is 3.29 sqrt(m*/kn).
     ++s.contacts, s.elastic += c.energy, s.overlap = max(s.overlap, c.delta / c.R);
-    shortest = min(shortest, real(3.29) * sqrt(c.mstar / c.kn)), s.steps = shortest / p.dt; }
-  return s;
-}
+    shortest = min(shortest, real(3.29) * sqrt(c.mstar / c.kn)), s.steps = shortest / p.dt; });
+  return s; }
 /// Writes or reads all that a run needs to go on. After both it builds a new list: the same bits.
 void Simulation::archive(std::fstream& file, bool loading) {
-  const auto bytes = [&](void* at, size_t n) {
-    char* const c = static_cast<char*>(at);
+  const auto bytes = [&](void* at, size_t n) { char* const c = static_cast<char*>(at);
     if (loading) file.read(c, long(n)); else file.write(c, long(n));
     if (loading && !file) throw InputError("restart.bin is not complete; use --overwrite"); };
   const auto array = [&](auto& a) {
@@ -482,8 +492,8 @@ void Simulation::archive(std::fstream& file, bool loading) {
   for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
   for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
   for (Slab& b : slabs) bytes(&b.first, 2 * sizeof(int)), array(b.pairs), array(b.springs);
-  if (stale = true; loading) random.discard(std::uint64_t(draws));
-}
+  stale = true, particle_tree.order.clear();
+  if (loading) move_mesh(), random.discard(std::uint64_t(draws)); }
 }  // namespace tinydem
 // --------------------------------------------------------------------------------- 4 program
 #ifndef TINYDEM_NO_MAIN
@@ -495,8 +505,7 @@ void Simulation::archive(std::fstream& file, bool loading) {
 #endif
 #include <CLI/CLI.hpp>
 namespace tinydem {
-namespace fs = std::filesystem;
-using namespace std::chrono_literals;
+namespace fs = std::filesystem; using namespace std::chrono_literals;
 static string magic() { return string("TinyDEM ") + version + " " + to_string(sizeof(real)) + " "; }
 /// Writes a file that gets its name when it is complete.
 template <class F> static void write(const fs::path& path, const F& fill) {
@@ -505,8 +514,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
   if (file && !error) return;
   fs::remove(part, error);
-  throw RunError(path.string() + ": cannot be written; free some space, then --resume");
-}
+  throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
   const fs::path folder = s.p.output;
@@ -527,23 +535,20 @@ static Summary write_frame(Simulation& s, long frame, double speed) {
   log << text({real(frame), s.time(), real(s.size()), real(e.contacts), e.kinetic, e.rotational,
                e.potential, e.elastic, s.supplied - e.energy(), e.overlap, e.steps, real(speed)});
   if (log << std::endl; !log) throw RunError(folder.string() + "/log.csv: cannot be written");
-  write(folder / "restart.bin", [&](auto& f) { f << magic() << frame << "\n"; s.archive(f, 0); });
-  return e;
-}
+  write(folder / "restart.bin",
+        [&](auto& file) { file << magic() << frame << "\n"; s.archive(file, false); });
+  return e; }
 /// Goes back to the last complete frame; the next frame, or 0 when there is none.
 static long resume(Simulation& s) {
   const fs::path folder = s.p.output, restart = folder / "restart.bin";
   std::fstream file(restart, std::ios::binary | std::ios::in);
-  std::ifstream log(folder / "log.csv");
-  string line, first = magic();
+  std::ifstream log(folder / "log.csv"); string line, first = magic();
   if (!fs::exists(restart)) return 0;
   if (std::getline(file, line); line.compare(0, first.size(), first) != 0)
     throw InputError(restart.string() + ": does not fit this program; use --overwrite");
-  const long frame = std::stol(line.substr(first.size()));
-  s.archive(file, true);
+  const long frame = std::stol(line.substr(first.size())); s.archive(file, true);
   for (long k = -1; k <= frame; ++k) std::getline(log, line);
-  return fs::resize_file(folder / "log.csv", std::uintmax_t(log.tellg())), frame + 1;
-}
+  return fs::resize_file(folder / "log.csv", std::uintmax_t(log.tellg())), frame + 1; }
 /// Prepares the output directory: refuses to mix runs, keeps copies of what the run is made from.
 static void open_folder(Parameters p, bool overwrite) {
   std::error_code error; const fs::path folder = p.output;
@@ -564,8 +569,7 @@ static void open_folder(Parameters p, bool overwrite) {
   write(folder / "scene.ini", [&](auto& ini) {
     ini << "# TinyDEM " << version << ": tinydem --scene scene.ini repeats the run bit for bit\n";
     for (const Option& o : options(p))
-      if (o.at != &p.output && !text(o).empty()) ini << o.name << " = " << text(o) << "\n"; });
-}
+      if (o.at != &p.output && !text(o).empty()) ini << o.name << " = " << text(o) << "\n"; }); }
 struct Command { bool overwrite, resume, quiet; string scene{}; vector<Setting> settings{}; };
 static Command read_command(int argc, char** argv) {
   Command c{}; Parameters defaults;
@@ -590,8 +594,7 @@ static Command read_command(int argc, char** argv) {
     throw InputError(string("command line: ") + e.what() + "; see --help"); }
   for (const string& a : app.remaining())
     c.settings.push_back({a.substr(min(a.find_first_not_of('-'), a.size())), "", "command line"});
-  return c;
-}
+  return c; }
 static void run(const Command& command) {
   const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
@@ -617,12 +620,10 @@ static void run(const Command& command) {
                 << "  N = " << s.size() << "  contacts = " << e.contacts
                 << "  kinetic energy = " << e.kinetic + e.rotational << std::endl;
     const double each = 1e-9 * (now() - start) / double(max(frame - first, 1L));
-    if (isatty(2)) std::cerr << "\r" << long(each * double(p.Nframes - frame)) << " s to go   "; }
-}
+    if (isatty(2)) std::cerr << "\r" << long(each * double(p.Nframes - frame)) << " s to go   "; }}
 }  // namespace tinydem
 int main(int argc, char** argv) {
   try { tinydem::run(tinydem::read_command(argc, argv)); } catch (const std::exception& e) {
     std::cerr << "error: " << e.what() << std::endl;
-    return dynamic_cast<const tinydem::InputError*>(&e) ? 2 : 1; }
-}
+    return dynamic_cast<const tinydem::InputError*>(&e) ? 2 : 1; }}
 #endif

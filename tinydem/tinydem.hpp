@@ -34,8 +34,7 @@ template <class T> struct vector : std::vector<T> {
   using std::vector<T>::vector;
   vector(const std::vector<T>& v) : std::vector<T>(v) {}
   template <class I> T& operator[](I i) { return this->data()[i]; }
-  template <class I> const T& operator[](I i) const { return this->data()[i]; }
-};
+  template <class I> const T& operator[](I i) const { return this->data()[i]; } };
 template <class V> int count(const V& v) { return int(v.size()); }
 typedef vector<real> Reals;
 // ---------------------------------------------------------------------------------- numbers
@@ -51,8 +50,7 @@ template <class T> struct Vec {
   INLINE friend Vec cross(const Vec& a, const Vec& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
   INLINE friend T square(const Vec& a) { return dot(a, a); }
-  INLINE friend T norm(const Vec& a) { return sqrt(dot(a, a)); }
-};
+  INLINE friend T norm(const Vec& a) { return sqrt(dot(a, a)); } };
 typedef Vec<real> Vec3;
 template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
@@ -61,13 +59,11 @@ template <class T> INLINE T square(T a) { return a * a; }
 constexpr int block = 32;
 constexpr int padded(int n) { return (n + 7) / 8 * 8; }  // whole vector instructions
 template <class S> struct alignas(64) Block {
-  static constexpr int size = int(sizeof(S) / sizeof(real));
-  real c[size][block];
-  INLINE S get(int l) const {
-    S s;
+  static constexpr int size = int(sizeof(S) / sizeof(real)); real c[size][block];
+  INLINE S get(int l) const { S s; return copy(l, s), s; }
+  INLINE void copy(int l, S& s) const {
 #pragma GCC unroll 64
-    for (int k = 0; k < size; ++k) reinterpret_cast<real*>(&s)[k] = c[k][l];
-    return s; }
+    for (int k = 0; k < size; ++k) reinterpret_cast<real*>(&s)[k] = c[k][l]; }
   INLINE void set(int l, const S& s) {
 #pragma GCC unroll 64
     for (int k = 0; k < size; ++k) c[k][l] = reinterpret_cast<const real*>(&s)[k]; }
@@ -76,8 +72,8 @@ template <class S> struct alignas(64) Block {
     for (int l = 0; l < padded(n); l += 4) {
       const real* r[4];
       for (int m = 0; m < 4; ++m) r[m] = reinterpret_cast<const real*>(at(l + m < n ? l + m : 0));
-      for (int k = 0; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }}
-};
+#pragma GCC unroll 64
+      for (int k = 0; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
 // ------------------------------------------------------------------------------- parameters
 /// Table 2 and the options of a run, a line each for all uses: name, type, default, dimension, ...
 #define TINYDEM_PARAMETERS(X)                                                                      \
@@ -107,6 +103,8 @@ template <class S> struct alignas(64) Block {
   X(orientation, string, "on", "-", "on|off", "integrate the quaternions")                         \
   X(contacts, string, "off", "-", "on|off", "write the contacts of every frame")                   \
   X(mesh, string, "", "-", "path", "mesh file (OFF)")                                              \
+  X(motion, string, "", "-", "GROUP vibrate A F [PHASE]; GROUP translate V; GROUP rotate P W",     \
+    "motion of mesh groups, each at most once; A, V, P, W are vectors, PHASE is in radians")       \
   X(particles, string, "", "-", "path", "particles to start with (CSV)")                           \
   X(output, string, "output", "-", "path", "output directory")
 struct Parameters {
@@ -124,29 +122,24 @@ struct Problems {
   string all{}; int count = 0;
   void add(const string& where, const string& what) {
     if (++count <= 20) all += "\n" + where + ": " + what; }
-  void stop_if_any() const { if (count > 0) throw InputError(all.substr(1)); }
-};
+  void stop_if_any() const { if (count > 0) throw InputError(all.substr(1)); } };
 // ------------------------------------------------------------------------------------- files
 /// The shortest digits that bring a number back bit for bit, or a fixed number of digits.
-inline string text(real a, int digits = 0) {
-  char b[64], *end = b + sizeof b;
+inline string text(real a, int digits = 0) { char b[64], *end = b + sizeof b;
   return {b, (digits > 0 ? std::to_chars(b, end, a, std::chars_format::general, digits)
-                         : std::to_chars(b, end, a)).ptr};
-}
+                         : std::to_chars(b, end, a)).ptr}; }
 /// Reads a whole token as a finite number.
 inline bool parse(const string& token, real& a) {
   const char *first = token.c_str() + (token[0] == '+'), *last = token.c_str() + token.size();
   const auto [end, error] = std::from_chars(first, last, a);
-  return error == std::errc() && end == last && std::isfinite(a) && token.find("+-") != 0;
-}
+  return error == std::errc() && end == last && std::isfinite(a) && token.find("+-") != 0; }
 /// Splits at every separator and trims; blanks separate as often as they like.
 inline vector<string> split(const string& s, char separator) {
   vector<string> tokens; std::istringstream in(s + separator);
   for (string a; std::getline(in, a, separator);) {
     a.erase(0, a.find_first_not_of(" \t\r")), a.erase(a.find_last_not_of(" \t\r") + 1);
     if (!a.empty() || separator != ' ') tokens.push_back(a); }
-  return tokens;
-}
+  return tokens; }
 /// A text file, value by value; skips comments (#), blank lines, carriage returns and a byte order
 /// mark, and notes every value that is missing, malformed or out of range.
 struct Reader {
@@ -165,23 +158,20 @@ struct Reader {
       if (line.find_first_not_of(' ') != string::npos) tokens = split(line, separator); }
     return !tokens.empty(); }
   real value(const string& what, bool whole = false, real low = -inf, real high = inf) {
-    const string token = column < tokens.size() ? tokens[column] : "";
-    const string range = "an integer in [" + text(low) + ", " + text(high) + "]"; real a = 0;
-    const bool good = parse(token, a) && a >= low && a <= high && (!whole || a == std::floor(a));
-    if (++column; good) return a;
+    const string token = column < tokens.size() ? tokens[column] : ""; real a = 0; ++column;
+    if (parse(token, a) && a >= low && a <= high && (!whole || a == std::floor(a))) return a;
+    const string range = "an integer in [" + text(low) + ", " + text(high) + "]";
     complain(what + " = '" + token + "' must be " + (whole ? range : "a finite number"));
     return whole ? low : 0; }
   void end_line() {
-    if (column < tokens.size()) complain("'" + tokens[column] + "' is one value too many"); }
-};
+    if (column < tokens.size()) complain("'" + tokens[column] + "' is one value too many"); } };
 /// A line of a CSV file: position, radius [L], velocity [L/T], quaternion, angular velocity [1/T].
 struct Particle { Vec3 x; real R = 0; Vec3 v; std::array<real, 4> q{1, 0, 0, 0}; Vec3 w; };
 const char* const csv_header = "x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz";
 /// Reads particles; columns are found by name. Throws InputError with every mistake.
 inline vector<Particle> read_particles(const string& path) {
   Reader in(path); in.next(',');
-  const vector<string> names = split(csv_header, ','), header = in.tokens;
-  vector<size_t> at;
+  const vector<string> names = split(csv_header, ','), header = in.tokens; vector<size_t> at;
   for (const string& name : names) {
     at.push_back(size_t(std::find(header.begin(), header.end(), name) - header.begin()));
     if (std::count(header.begin(), header.end(), name) != 1)
@@ -196,14 +186,12 @@ inline vector<Particle> read_particles(const string& path) {
     const real q = sqrt(square(a.q[0]) + square(a.q[1]) + square(a.q[2]) + square(a.q[3]));
     if (!(abs(q - 1) < real(1e-3))) in.complain("q0 ... q3 must have norm 1, not " + text(q));
     particles.push_back(a); }
-  return in.problems.stop_if_any(), particles;
-}
+  return in.problems.stop_if_any(), particles; }
 /// A point, an edge, a triangle or a rectangle (n = 1 ... 4 vertices) of radius Rmesh[group].
 struct Element { int n, vertex[4], group; };
 struct Mesh {
   vector<Vec3> vertices{}; vector<Element> elements{};
-  const Vec3& corner(const Element& e, int k) const { return vertices[e.vertex[k]]; }
-};
+  const Vec3& corner(const Element& e, int k) const { return vertices[e.vertex[k]]; } };
 /// Reads an OFF file; throws InputError with every mistake. radii: the length of Rmesh.
 inline Mesh read_mesh(const string& path, size_t radii) {
   Reader in(path); Mesh m;
@@ -230,15 +218,13 @@ inline Mesh read_mesh(const string& path, size_t radii) {
   if (in.problems.count == 0 && (count(m.elements) < nf || in.next()))
     in.complain("must end after " + to_string(nv) + " vertices, " + to_string(nf) + " faces, has " +
                 to_string(count(m.vertices)) + ", " + to_string(count(m.elements)));
-  return in.problems.stop_if_any(), m;
-}
+  return in.problems.stop_if_any(), m; }
 // ---------------------------------------------------------------------------------- geometry
 /// The point of an edge (also of length zero) that is closest to p. The cross products keep bodies
 /// in their plane: components along an axis-parallel edge are p's, bit for bit.
 inline Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 e = b - a; const real e2 = square(e), along = dot(p - a, e);
-  return along <= 0 ? a : along >= e2 ? b : p - 1 / e2 * cross(e, cross(p - a, e));
-}
+  return along <= 0 ? a : along >= e2 ? b : p - 1 / e2 * cross(e, cross(p - a, e)); }
 /// The same for a triangle; one flatter than the root of the rounding error counts as its edges.
 inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 n = cross(b - a, c - a);
@@ -249,55 +235,54 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
   Vec3 best = closest_on_edge(p, a, b);
   for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)})
     if (square(p - q) < square(p - best)) best = q;
-  return best;
-}
+  return best; }
 /// The same for any mesh element; the two sides of a rectangle are independent.
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
-  const Vec3& a = m.corner(e, 0);
-  if (e.n == 1) return a;
+  const Vec3& a = m.corner(e, 0); if (e.n == 1) return a;
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
   const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
-  return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a));
-}
+  return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a)); }
+/// The box around a sphere, or around anything that was added.
 struct Box {
   Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
-  void add(const Vec3& a, const Vec3& b) {
-    low = {min(low.x, a.x), min(low.y, a.y), min(low.z, a.z)};
-    high = {max(high.x, b.x), max(high.y, b.y), max(high.z, b.z)}; }
-  real distance2(const Vec3& p) const {
-    const auto gap = [](real a, real u, real v) { return square(max(max(u - a, a - v), real(0))); };
-    return gap(p.x, low.x, high.x) + gap(p.y, low.y, high.y) + gap(p.z, low.z, high.z); }
-};
+  static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
+  void add(const Box& b) {
+    low = {min(low.x, b.low.x), min(low.y, b.low.y), min(low.z, b.low.z)};
+    high = {max(high.x, b.high.x), max(high.y, b.high.y), max(high.z, b.high.z)}; }
+  bool meets(const Box& b) const {
+    return low.x <= b.high.x && low.y <= b.high.y && low.z <= b.high.z &&
+           b.low.x <= high.x && b.low.y <= high.y && b.low.z <= high.z; } };
 /// Boxes in boxes, halved across their longest side until `leaf` things are left: a query costs
 /// log(things), however different they are in size. What is near in `order` is near in space.
 struct Tree {
-  static constexpr int leaf = 4;
-  vector<int> order{};
+  static constexpr int leaf = 4; vector<int> order{};
   vector<Box> boxes{};  // box k holds boxes 2k and 2k + 1
-  template <class F> void build(int things, const F& box_of) {
-    int n = 1;
-    while (n * leaf < things) n *= 2;
+  /// Without sorting, the things keep their order: right as well, and fast enough for small moves.
+  template <class F> void build(int things, const F& box_of, bool sort = true) {
+    int n = 1; while (n * leaf < things) n *= 2;
     boxes.assign(2 * size_t(n), Box()), order.resize(size_t(things));
     for (int i = 0; i < things; ++i) order[i] = i;
-    halve(box_of, 1, 0, things); }
-  template <class F> void halve(const F& box_of, int k, int first, int last) {
-    for (int i = first; i < last; ++i) boxes[k].add(box_of(order[i]).low, box_of(order[i]).high);
+#pragma omp taskgroup
+    halve(box_of, sort, 1, 0, things); }
+  template <class F> void halve(const F& box_of, bool sort, int k, int first, int last) {
+    for (int i = first; i < last; ++i) boxes[k].add(box_of(order[i]));
     if (last - first <= leaf) return;
     const Vec3 d = boxes[k].high - boxes[k].low;
     const auto side = d.x >= max(d.y, d.z) ? &Vec3::x : d.y >= d.z ? &Vec3::y : &Vec3::z;
     const auto place = [&](int i) { const Box b = box_of(i); return b.low.*side + b.high.*side; };
     const int middle = (first + last) / 2;
-    std::nth_element(&order[first], &order[middle], &order[0] + last,
-                     [&](int i, int j) { return place(i) < place(j); });
-    halve(box_of, 2 * k, first, middle), halve(box_of, 2 * k + 1, middle, last); }
-  /// Calls found(i) for the places i in `order` of all things that may come within R of p.
-  template <class F> void visit(const Vec3& p, real R, const F& found) const {
-    visit(p, R, found, 0, count(order), 1); }
-  template <class F> void visit(const Vec3& p, real R, const F& found, int a, int b, int k) const {
-    if (a == b || boxes[k].distance2(p) > R * R) return;
+    if (sort) std::nth_element(&order[first], &order[middle], &order[0] + last,
+                               [&](int i, int j) { return place(i) < place(j); });
+#pragma omp task if (last - first > 4000) default(shared) firstprivate(sort, k, first, middle)
+    halve(box_of, sort, 2 * k, first, middle);
+    halve(box_of, sort, 2 * k + 1, middle, last); }
+  /// Calls found(i) for the places i in `order` of all things whose boxes may meet a box.
+  template <class F> void visit(const Box& q, const F& found) const {
+    visit(q, found, 0, count(order), 1); }
+  template <class F> void visit(const Box& q, const F& found, int a, int b, int k) const {
+    if (a == b || !boxes[k].meets(q)) return;
     if (b - a <= leaf) for (int i = a; i < b; ++i) found(i);
-    else visit(p, R, found, a, (a + b) / 2, 2 * k), visit(p, R, found, (a + b) / 2, b, 2 * k + 1); }
-};
+    else visit(q, found, a, (a + b) / 2, 2 * k), visit(q, found, (a + b) / 2, b, 2 * k + 1); } };
 // --------------------------------------------------------------------------------- interface
 /// What a scene file says; throws InputError with every mistake.
 vector<Setting> read_scene(const string& path);
@@ -310,10 +295,24 @@ template <class T> struct Body { Vec<T> x; T R; Vec<T> v; T m_inv; Vec<T> w; T R
 /// The history of a contact: displacements of the three friction springs [L], Eq. (51).
 template <class T> struct Springs { Vec<T> us, ur; T ut; };
 struct Quaternion { real s = 1; Vec3 v{}; };
+inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
+  return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
 /// A particle of the solver: also its force, torque, place and reach when the list was built.
-struct Grain : Body<real> { Quaternion q; Vec3 f, t, x0; real reach; };
+struct Rigid : Body<real> { Quaternion q; };
+struct Grain : Rigid { Vec3 f, t, x0; real reach; };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
 struct Pair { int i, j; bool touching; };
+/// The mesh elements of one index into Rmesh and how they move from where they are in the file:
+/// displacement A (sin(2 pi F t + phase) - sin phase), velocity V or angular velocity W about the
+/// axis through P. They are searched where they were at t = 0: back() brings a place there.
+struct Group {
+  Tree tree{};
+  bool moves = false;
+  Vec3 A{}, V{}, P{}, W{}, shift{}, v{};  // now: rotated by q about P, then shifted at velocity v
+  real F = 0, phase = 0, speed = 0, slack = 0;  // largest speed; way that the list allows for
+  Quaternion q{}, step{};                       // rotation since t = 0, in one time step
+  Vec3 back(const Vec3& x) const { return P + rotated({q.s, -q.v}, x - P - shift); }
+  Vec3 there(const Vec3& x) const { return P + rotated(q, x - P) + shift; } };
 /// Consecutive particles that one thread looks after. How many slabs there are follows from N
 /// alone and every sum has a fixed order: the same bits for every number of threads.
 struct Slab {
@@ -323,21 +322,18 @@ struct Slab {
   long contacts = 0;                // in the last step
   real excess = -1;                 // how far a particle is out of the sphere that was listed [L]
   int culprit = -1;                 // particle at which the run became unstable
-  const char* reason = ""; bool failed = false;
-};
+  const char* reason = ""; bool failed = false; };
 /// A contact of particles i and j, or of i and a mesh element; the other one is -1.
 struct Contact {
   int i, j, element;
   real delta, R, mstar, kn;  // overlap, smaller radius [L], effective mass [M], stiffness [M/T^2]
   Vec3 fn, fs, us, ur;       // forces on i [ML/T^2], springs [L]
-  real ut, energy;           // twisting spring [L], elastic energy [ML^2/T^2]
-};
+  real ut, energy; };        // twisting spring [L], elastic energy [ML^2/T^2]
 /// Energies [ML^2/T^2], largest delta/R, time steps in the shortest collision.
 struct Summary {
   long contacts = 0;
   real kinetic = 0, rotational = 0, potential = 0, elastic = 0, overlap = 0, steps = 0;
-  real energy() const { return kinetic + rotational + potential + elastic; }
-};
+  real energy() const { return kinetic + rotational + potential + elastic; } };
 /// The solver. Mesh and initial particles may be empty. Throws InputError for particles that
 /// coincide or overlap by more than a radius.
 struct Simulation {
@@ -345,6 +341,7 @@ struct Simulation {
   void run(long count);                ///< time steps; RunError when the run is unstable
   vector<Particle> particles() const;  ///< in the order of creation
   vector<Contact> contacts() const;    ///< with indices in the order of creation
+  template <class F> void each_contact(const F& found) const;
   Summary summary() const;
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
   int size() const { return count(grains); }
@@ -354,7 +351,8 @@ struct Simulation {
   vector<int> id{};              // place in the order of creation
   vector<Slab> slabs{1}, old{};  // old: before sorting
   vector<int> first_pair{};      // of each particle in old
-  Tree particle_tree{}, mesh_tree{};
+  Tree particle_tree{};
+  vector<Group> groups{};        // one for each index into Rmesh
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
@@ -363,9 +361,8 @@ struct Simulation {
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
   bool step();  // all threads of a team call these two together, one thread those below
   void list_neighbours();
-  void sort_elements(), sort_particles(), find_pairs(Slab& b), spawn(), add(const Particle& a);
-  void enlist(Slab& b, int i, int j) const;
-  bool is_free(const Vec3& centre, real R) const;
-  Body<real> wall(int element, const Vec3& centre) const;
-};
+  void sort_elements(), move_mesh(), sort_particles(), find_pairs(Slab& b), spawn();
+  void add(const Particle& a), carry(const Pair& c, Springs<real>& u) const;
+  void enlist(Slab& b, int i, int j) const; bool is_free(const Vec3& centre, real R) const;
+  Body<real> wall(int element, const Vec3& centre) const; };
 }  // namespace tinydem
