@@ -113,6 +113,7 @@ template <class T> Material<T> material_of(const Parameters& p) {
   m.Gstar = E / (4 * (2 - nu) * (1 + nu));                                      // Eq. (16)
   m.beta = 1 / std::sqrt(1 + std::pow(T(pi) / std::log(en), T(2)));             // Eq. (21)
   m.cs_cn = std::sqrt((1 - nu) / (10 * (2 - nu)));                              // Eq. (25)
+  m.kn_ks = m.Estar / (6 * m.Gstar);                                            // Eqs. (12, 13)
   m.mus = T(p.mus), m.mur = T(p.mur), m.mut = T(p.mut), m.dt = T(p.dt);
   return m; }
 /// Geometry and relative motion of a contact; R: the smaller radius, stiff: 2 at a wall, else 1.
@@ -128,8 +129,9 @@ template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& 
   c.delta = i.R + j.R - distance;                                               // Eq. (7)
   const T inverse = 1 / distance;
   c.n = inverse * d;                                                            // Eq. (9)
-  c.Rstar = 1 / (i.R_inv + j.R_inv);                                            // Eq. (17)
-  c.mstar = 1 / (i.m_inv + j.m_inv);                                            // Eqs. (20, 24)
+  const T R_inv = i.R_inv + j.R_inv, m_inv = i.m_inv + j.m_inv, product = 1 / (R_inv * m_inv);
+  c.Rstar = product * m_inv;  // 1 / R_inv, with one division for both          // Eq. (17)
+  c.mstar = product * R_inv;                                                    // Eqs. (20, 24)
   c.ri = i.R - c.delta / 2;                                                     // Eq. (29)
   c.rj = j.R - c.delta / 2;                                                     // Eq. (30)
   const Vec<T> v = i.v - j.v + cross(c.n, c.ri * i.w + c.rj * j.w);             // Eq. (26)
@@ -145,18 +147,19 @@ template <class T> INLINE Vec<T> turn(const Vec<T>& u, const Vec<T>& n) {
   const Vec<T> flat = u - dot(u, n) * n;
   const T scale = sqrt(square(u) / square(flat));
   return select(square(flat) > 0, scale * flat, flat); }
-/// Stiffness, damping, largest force and time step of one friction mode.
-template <class T> struct Mode { T k, c, limit, dt; };
-/// Force of one friction mode m; advances its spring. V: a vector (s, r) or a number (t).
-template <class M, class T, class V> INLINE V friction(V& u, const V& v, const Mode<T>& m) {
+/// Stiffness, its inverse, damping and time step of a friction mode.
+template <class T> struct Mode { T k, k_inv, c, dt; };
+template <class T> INLINE Vec<T> along(T length, const Vec<T>& f) { return length / norm(f) * f; }
+template <class T> INLINE T along(T length, T f) { return f < 0 ? -length : length; }
+/// Force of a friction mode, at most `limit`; advances its spring. V: vector (s, r) or number (t).
+template <class M, class T, class V> INLINE V friction(V& u, const V& v, Mode<T> m, T limit) {
   if (!M::printed) u = u + m.dt * v;                                            // Eq. (53) [D1]
   V f = -(m.k * u) - m.c * v;                                                   // Eqs. (6, 34, 35)
   if (M::printed) u = u + m.dt * v;                                             // Eq. (53)
-  const T length = norm(f);
-  const bool slip = length > m.limit;                                           // Eqs. (11, 39, 40)
-  f = select(slip, m.limit / length * f, f);                                    // Eq. (54)
+  const bool slip = norm(f) > limit;                                            // Eqs. (11, 39, 40)
+  f = select(slip, along(limit, f), f);                                         // Eq. (54)
   const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
-  u = select(slip, -(1 / m.k * rest), u);                                       // Eq. (55)
+  u = select(slip, -(m.k_inv * rest), u);                                       // Eq. (55)
   return f; }
 /// Force on i (and its opposite on j), torque on i, torque on j.
 template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
@@ -170,23 +173,24 @@ INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<
   const T cn = mat.beta * sqrt(5 * c.mstar * kn);                               // Eq. (18)
   const T cs = mat.cs_cn * cn;                                                  // Eqs. (19, 25)
   const T fn = kn * c.delta - cn * c.vn;                                        // Eqs. (5, 10)
-  const T load = norm(fn), dt = mat.dt;
+  const T load = norm(fn), kn_inv = 1 / kn;
+  const Mode<T> n{kn, kn_inv, cn, mat.dt}, s{ks, mat.kn_ks * kn_inv, cs, mat.dt};
   r.f = fn * c.n, r.fn = fn * c.n, r.kn = kn, r.ks = ks;
   if constexpr (M::sliding) {
     u.us = turn(u.us, c.n);                                                     // Eq. (52)
-    const Vec<T> fs = friction<M>(u.us, c.vs, Mode<T>{ks, cs, mat.mus * load, dt});  // Eq. (6)
+    const Vec<T> fs = friction<M>(u.us, c.vs, s, mat.mus * load);               // Eq. (6)
     r.f += fs;
     r.ti = c.ri * cross(fs, c.n);                                               // Eq. (31)
     r.tj = c.rj * cross(fs, c.n);                                               // Eq. (60)
   }
   if constexpr (M::rolling) {
     u.ur = turn(u.ur, c.n);                                                     // Eq. (52)
-    const Vec<T> fr = friction<M>(u.ur, c.vr, Mode<T>{kn, cn, mat.mur * load, dt});  // Eq. (34)
+    const Vec<T> fr = friction<M>(u.ur, c.vr, n, mat.mur * load);               // Eq. (34)
     const Vec<T> tr = c.Rstar * cross(c.n, fr);                                 // Eq. (32)
     r.ti += tr, r.tj += -tr;                                                    // Eq. (58)
   }
   if constexpr (M::twisting) {
-    const T ft = friction<M>(u.ut, c.vt, Mode<T>{ks, cs, mat.mut * load, dt});  // Eq. (35)
+    const T ft = friction<M>(u.ut, c.vt, s, mat.mut * load);                    // Eq. (35)
     const Vec<T> tt = ft * c.Rstar * c.n;                                       // Eq. (33)
     r.ti += tt, r.tj += -tt;                                                    // Eq. (59)
   }
@@ -215,12 +219,12 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
   b.contacts = 0;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
     for (; next < count(b.pairs) && n < block; ++next) {
-      Pair& p = b.pairs[next]; const Body<real>& i = s.grains[p.i];
-      const Body<real>& j = p.j < 0 ? wall[n] = s.wall(-1 - p.j, i.x) : s.grains[p.j];
-      const bool touch = square(i.x - j.x) < square(i.R + j.R);                 // Eq. (7)
-      if (M::any && touch != p.touching) b.springs[next] = {};
+      Pair& p = b.pairs[next]; const Body<real>& a = s.grains[p.i];
+      const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x) : s.grains[p.j];
+      const bool touch = square(a.x - c.x) < square(a.R + c.R);                 // Eq. (7)
+      if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
       if (M::any && touch && p.j < 0) s.carry(p, b.springs[next]);
-      p.touching = touch, k[n] = next, n += touch; }
+      k[n] = next, n += touch; }
     bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i]; });
     bj.gather(n, [&](int l) {
       const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });
@@ -253,7 +257,7 @@ template <bool large>
 INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
-struct Check { real way2, spin2, excess, angle2; };
+struct Check { real way, room, spin2, angle2; };
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
 template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
@@ -276,14 +280,14 @@ template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b
       const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
       const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; Quaternion q = g.q;
       if constexpr (orientation) q = turned<false>(g.q, h, k, side);
-      const real excess = norm(x - g.x0) - (g.reach - g.R), angle2 = square(h) + square(k);
+      const real way = norm(dt * v), angle2 = square(h) + square(k);
       moved.set(l, {{x, g.R, v, g.m_inv, w, g.R_inv}, q});
-      checks.set(l, {square(dt * v) - g.R * g.R, square(w), excess, angle2}); }
+      checks.set(l, {way, g.room - way, square(w), angle2}); }
     for (int l = 0; l < n; ++l) {
       const Check c = checks.get(l); Grain& g = s.grains[first + l]; const Rigid was = g;
-      if (!(c.way2 <= 0)) fail(b, first + l, "moved more than its radius in one step");
+      if (!(c.way <= g.R)) fail(b, first + l, "moved more than its radius in one step");
       if (!(c.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
-      moved.copy(l, g), g.f = g.t = Vec3(), b.excess = max(b.excess, c.excess);
+      moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room, b.excess = max(b.excess, -c.room);
       if (orientation && c.angle2 > small_angle2)
         g.q = turned<true>(was.q, dt / 2 * was.w, dt / 4 * (g.w - was.w), side); }}
   b.failed = b.culprit >= 0; }
@@ -343,7 +347,7 @@ void Simulation::move_mesh() {
 void Simulation::add(const Particle& a) {
   const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
-  grains.push_back({{{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q}, {}, {}, a.x, a.R});
+  grains.push_back({{{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q}, {}, {}, 0});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
   id.push_back(count(id)), stale = true; }
 /// No particle and no mesh element within the sphere?
@@ -372,11 +376,11 @@ void Simulation::sort_particles() {
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
   const real mean = radii / real(max(size(), 1));
   const auto slack = [&](real speed) { return horizon * (mean / 50 + 10 * p.dt * speed); };
-  for (Grain& g : grains) g.x0 = g.x, g.reach = g.R + slack(norm(g.v));
+  for (Grain& g : grains) g.room = slack(norm(g.v));
   for (Group& g : groups) g.slack = g.moves ? slack(g.speed) : 0;
   const bool sort = count(particle_tree.order) != size() || rebuilds % 16 == 0;
-  const auto box = [&](int i) { return Box::around(grains[i].x, grains[i].reach); };
-  particle_tree.build(size(), box, sort); vector<int> from = particle_tree.order;
+  particle_tree.build(size(), [&](int i) { return grains[i].box(); }, sort);
+  vector<int> from = particle_tree.order;
   for (int i = 0; i < size() && sort; ++i) {  // in place, cycle by cycle
     const Grain grain = grains[i]; const int number = id[i]; int k = i;
     for (int next; (next = std::exchange(from[k], k)) != i; k = next)
@@ -397,21 +401,20 @@ void Simulation::enlist(Slab& b, int i, int j) const {
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
   struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
-  size_t room = 0; for (const Slab& s : old) room += s.pairs.size() * 5 / 4;  // without copies
-  room = room * size_t(b.last - b.first) / max(grains.size(), size_t(1));
-  b.pairs.reserve(room), b.springs.reserve(friction ? room : 0);
+  double n = 9; for (const Slab& s : old) n += (b.last - b.first) / (size() + 1.0) * count(s.pairs);
+  b.pairs.reserve(size_t(1.2 * n)), b.springs.reserve(friction ? size_t(1.2 * n) : 0);
   for (int i = b.first, last = i; i < b.last; ++i) {
     const Grain& g = grains[i];
-    const auto close = [&](const Vec3& x, real R) { return square(g.x - x) < square(g.reach + R); };
+    const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) {  // neighbours search together
       Box box; near.clear(), last = min(i + 8, b.last);
-      for (int k = i; k < last; ++k) box.add(Box::around(grains[k].x, grains[k].reach));
+      for (int k = i; k < last; ++k) box.add(grains[k].box());
       particle_tree.visit(box, [&](int j) {
-        if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach, j}); }); }
+        if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }
     for (const auto& [x, reach, j] : near)  // in a slab each pair once
       if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);
     for (const Group& w : groups)
-      w.tree.visit(Box::around(w.back(g.x), g.reach + w.slack), [&](int k) {
+      w.tree.visit(Box::around(w.back(g.x), g.reach() + w.slack), [&](int k) {
         const Body<real> j = wall(w.tree.order[k], g.x);
         if (close(j.x, j.R + w.slack)) enlist(b, i, -1 - w.tree.order[k]); }); }}
 /// Builds the neighbour list anew and carries the friction history over.
@@ -456,7 +459,6 @@ vector<Particle> Simulation::particles() const {
   vector<Particle> all(grains.size()); for (const Grain& g : grains)
     all[id[&g - &grains[0]]] = {g.x, g.R, g.v, {g.q.s, g.q.v.x, g.q.v.y, g.q.v.z}, g.w};
   return all; }
-/// Calls found(contact) for all contacts.
 template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
   for (const Slab& b : slabs) for (int k = 0; k < count(b.pairs); ++k) {

@@ -242,7 +242,6 @@ inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
   const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
   return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a)); }
-/// The box around a sphere, or around anything that was added.
 struct Box {
   Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
@@ -289,7 +288,7 @@ vector<Setting> read_scene(const string& path);
 /// Defaults, overwritten by the settings in turn, checked, with Eqs. (41) and (50) filled in.
 Parameters resolve(const vector<Setting>& settings = {});
 /// Constants of the contact law; T is the type of one number.
-template <class T> struct Material { T Estar, Gstar, beta, cs_cn, mus, mur, mut, dt; };
+template <class T> struct Material { T Estar, Gstar, beta, cs_cn, kn_ks, mus, mur, mut, dt; };
 /// Position, radius, velocity, 1/m, angular velocity, 1/R (walls: 1/m = 1/R = 0).
 template <class T> struct Body { Vec<T> x; T R; Vec<T> v; T m_inv; Vec<T> w; T R_inv; };
 /// The history of a contact: displacements of the three friction springs [L], Eq. (51).
@@ -297,9 +296,11 @@ template <class T> struct Springs { Vec<T> us, ur; T ut; };
 struct Quaternion { real s = 1; Vec3 v{}; };
 inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
-/// A particle of the solver: also its force, torque, place and reach when the list was built.
+/// A particle of the solver: also force, torque, the way that it may go with the list as it is.
 struct Rigid : Body<real> { Quaternion q; };
-struct Grain : Rigid { Vec3 f, t, x0; real reach; };
+struct Grain : Rigid {
+  Vec3 f, t; real room; real reach() const { return R + room; }
+  Box box() const { return Box::around(x, reach()); } };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
 struct Pair { int i, j; bool touching; };
 /// The mesh elements of one index into Rmesh and how they move from where they are in the file:
