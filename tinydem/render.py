@@ -99,7 +99,7 @@ def bounding_box(axes, elements, frames):
     balls = [np.column_stack([balls.x, balls.R]) for balls in frames]
     fresh = np.concatenate([rows[len(before):] for before, rows in zip([[]] + balls, balls)])
     parts = [(rows[:, :3] @ axes[:2].T, rows[:, 3:4], tail) for rows, tail in
-             ((mesh, 0), (fresh, 0), (np.concatenate(balls), 0.01)) if len(rows)]
+             ((mesh, 0), (fresh, 0.002), (np.concatenate(balls), 0.01)) if len(rows)]
     low = [np.quantile(centre - radius, tail, axis=0) for centre, radius, tail in parts]
     high = [np.quantile(centre + radius, 1 - tail, axis=0) for centre, radius, tail in parts]
     return np.array([np.min(low, axis=0), np.max(high, axis=0)] if parts else [[-1, -1], [1, 1]])
