@@ -146,6 +146,8 @@ def arch(across, height, R, middle, width):
     Going over the throat from left to right, the lowest disc above every point belongs to the
     arch. Returns their indices from left to right; empty if something gapes wider than a diameter.
     """
+    if not len(across):
+        return np.zeros(0, int)
     samples = middle + width * (np.arange(400) + 0.5 - 200) / 400
     chord = R[:, None]**2 - (samples - across[:, None])**2
     bottom = np.where(chord >= 0, height[:, None] - np.sqrt(np.maximum(chord, 0)), np.inf)
@@ -171,6 +173,23 @@ def arch_shape(across, height, R, chain):
 
 
 # ----------------------------------------------------------------------------------- mixtures
+
+class Dye:
+    """Side of a plane on which grains start or, if a gate is given, fall through that level."""
+
+    def __init__(self, plane, gate=None):
+        """plane, gate: (column, level [L])."""
+        self.plane, self.gate, self.side = plane, gate, np.zeros(0)
+
+    def value(self, frame):
+        """0 below and 1 above the plane, 2 not yet there; (N,) for the next frame in time."""
+        self.side = np.append(self.side, np.full(len(frame) - len(self.side), 2.0))
+        there = self.side == 2
+        if self.gate:
+            there &= frame[self.gate[0]] < self.gate[1]
+        self.side[there] = frame[self.plane[0]][there] > self.plane[1]
+        return self.side.copy()
+
 
 def shares(x, red, low, high, shape):
     """Grains and red ones in the cells of a grid: counts and reds, each an array of that shape.

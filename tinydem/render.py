@@ -28,6 +28,7 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from frames import columns, fail, read_run, read_scene, speed
+from packing import Dye
 
 VIEW = (284, 14)  # azimuth and elevation of the eye [degrees]
 LEFT, RIGHT, BOTTOM, TOP, SIDE = 25, 115, 25, 55, 540  # margins around a square scene [pixels]
@@ -60,27 +61,12 @@ class Balls:
 
 
 def value_of(frame, color):
-    """The values (N,) of a column, of the speed [L/T] or of the spin [1/T]."""
+    """The values (N,) of a column, of the speed [L/T], the spin [1/T] or the order of creation."""
+    if color == "order":
+        return np.arange(len(frame))
     if color == "spin":
         return np.linalg.norm(columns(frame, "wx,wy,wz"), axis=1)
     return speed(frame) if color == "speed" else frame[color]
-
-
-class Dye:
-    """Side of a plane on which grains start or, if a gate is given, fall through that level."""
-
-    def __init__(self, plane, gate=None):
-        """plane, gate: (column, level [L])."""
-        self.plane, self.gate, self.side = plane, gate, np.zeros(0)
-
-    def value(self, frame):
-        """0 below and 1 above the plane, 2 not yet there; (N,) for the next frame in time."""
-        self.side = np.append(self.side, np.full(len(frame) - len(self.side), 2.0))
-        there = self.side == 2
-        if self.gate:
-            there &= frame[self.gate[0]] < self.gate[1]
-        self.side[there] = frame[self.plane[0]][there] > self.plane[1]
-        return self.side.copy()
 
 
 def camera(view, particles):
@@ -242,7 +228,7 @@ class Painter:
     def __init__(self, options, frames):
         """frames: all Balls that are drawn, so that colours mean the same in each of them."""
         self.pattern, self.dyed = options.pattern, bool(options.dye)
-        self.label = {"speed": "speed\n(m/s)", "spin": "spin\n(1/s)", "R": "R (m)",
+        self.label = {"speed": "speed\n(m/s)", "order": "grain", "spin": "spin\n(1/s)", "R": "R (m)",
                       **dict.fromkeys(["vx", "vy", "vz"], f"{options.color}\n(m/s)"),
                       **dict.fromkeys(["wx", "wy", "wz"], f"{options.color}\n(1/s)"),
                       **dict.fromkeys("xyz", f"{options.color} (m)")}.get(options.color)
@@ -277,7 +263,7 @@ def draw_frames(stage_at, numbers, frames, painter, interval):
     label = figure.text(LEFT / DPI / w, 1 - 0.35 / h, "", size=13)
     if painter.has_bar:
         bar = figure.add_axes([1 - 0.82 / w, 0.25, 0.16 / w, 0.5])
-        figure.colorbar(painter.scale, cax=bar, format="%.3g").ax.tick_params(labelsize=11)
+        figure.colorbar(painter.scale, cax=bar, format="%.2g" if painter.scale.norm.vmax < 1 else "%g").ax.tick_params(labelsize=11)
         bar.set_title(painter.label, fontsize=11, pad=8)
     picture = figure.figimage(np.zeros((1, 1, 3)), origin="lower", zorder=-1)
     for number in numbers:
@@ -335,8 +321,8 @@ def parse_arguments(words):
     add("--size", type=numbers(2), metavar="WxH", help="of a picture [pixels], 300x300 or more")
     add("--view", type=numbers(2), metavar="A,E",
         help="azimuth and elevation, negative: --view=-76,14")
-    add("--color", default="speed", metavar="NAME", help="speed, spin or a column, like R or vz",
-        choices=["speed", "spin", "x", "y", "z", "R", "vx", "vy", "vz", "wx", "wy", "wz"])
+    add("--color", default="speed", metavar="NAME", help="speed, spin, order (of creation), a column like R",
+        choices=["speed", "spin", "order", "x", "y", "z", "R", "vx", "vy", "vz", "wx", "wy", "wz"])
     add("--dye", type=dye, metavar="AXIS,LEVEL[,AXIS,LEVEL]",
         help="two colours: side of a plane at first, or when falling through the second level")
     add("--pattern", action="store_true", help="balls with sectors, which show their orientation")

@@ -39,5 +39,5 @@ def write(name, funnels, pitch, top):
 
 
 if __name__ == "__main__":
-    write("mesh.off", funnels=2, pitch=26, top=150)
-    write("full.off", funnels=4, pitch=30, top=170)
+    write("mesh.off", funnels=2, pitch=26, top=122)
+    write("full.off", funnels=4, pitch=30, top=190)
