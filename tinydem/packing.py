@@ -143,12 +143,12 @@ def arch(across, height, R, middle, width):
     """The grains that bridge a throat in a plane, seen from below.
 
     across, height, R (N,) [L]: discs above the throat, which is `width` wide around `middle`.
-    Going over the throat from left to right, the lowest disc above every point belongs to the
-    arch. Returns their indices from left to right; empty if something gapes wider than a diameter.
+    Going over it from left to right, from the middle of one foot to that of the other, which rest
+    on the lips of the throat, the lowest disc above every point belongs to the arch. Returns their indices from left to right; empty if something gapes wider than a diameter.
     """
     if not len(across):
         return np.zeros(0, int)
-    samples = middle + width * (np.arange(400) + 0.5 - 200) / 400
+    samples = middle + (width + 2 * R.max()) * (np.arange(400) + 0.5 - 200) / 400
     chord = R[:, None]**2 - (samples - across[:, None])**2
     bottom = np.where(chord >= 0, height[:, None] - np.sqrt(np.maximum(chord, 0)), np.inf)
     lowest = np.where(np.isfinite(bottom.min(axis=0)), bottom.argmin(axis=0), -1)
@@ -161,14 +161,12 @@ def arch(across, height, R, middle, width):
 def arch_shape(across, height, R, chain):
     """Span and height [L] of an arch, and its aspect ratio height / (span / 2).
 
-    The span is the free width below it: between the centres of the outermost discs of the chain.
-    The height is that of the highest disc above the line between them.
+    Both are those of the rectangle around the centres of the discs of the chain: a half
+    circle has the aspect ratio 1.
     """
-    x, z = across[chain], height[chain]
     if len(chain) < 3:
         return np.nan, np.nan, np.nan
-    span = x[-1] - x[0]
-    rise = (z - (z[0] + (z[-1] - z[0]) * (x - x[0]) / span)).max()
+    span, rise = np.ptp(across[chain]), np.ptp(height[chain])
     return span, rise, rise / (span / 2)
 
 

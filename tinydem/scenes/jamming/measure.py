@@ -26,8 +26,12 @@ def throats(run):
 
 
 def bridge(frame, middle, height, width):
-    """Indices of the resting discs that bridge a throat; none if it is open or nothing waits."""
+    """Indices of the resting discs that bridge a throat; none if it is open, or filled from below.
+    """
     d = 2 * frame["R"].max()
+    below = np.abs(frame["z"] - height + 3 * d) < 2 * d
+    if (below & (np.abs(frame["x"] - middle) < width / 2)).sum() > 2:
+        return np.zeros(0, int)
     near = (frame["z"] > height - d) & (frame["z"] < height + ABOVE * d) & (speed(frame) < REST)
     near &= np.abs(frame["x"] - middle) < width + ABOVE * d
     index = np.flatnonzero(near)
@@ -48,17 +52,18 @@ def main():
             chain = bridge(frame, middle, height, width)
             shape = packing.arch_shape(frame["x"], frame["z"], frame["R"], chain)
             shapes = found.setdefault(round(width / d), [])
-            waiting = (frame["z"] > height) & (np.abs(frame["x"] - middle) < width)
+            above = (frame["z"] > height) & (np.abs(frame["x"] - middle) < width)
             if len(chain) > 2:
                 shapes.append(np.array(shape) / [d, d, 1])
-            elif not waiting.any():
+            elif not above.any():  # all has passed; a throat that is filled from below is left out
                 shapes.append(None)
             if run is runs[0]:
                 draw(ax[0], frame, chain)
     for width, shapes in sorted(found.items(), reverse=True):
         arches = [s for s in shapes if s is not None]
-        report.add(f"throats of {width} diameters that are bridged",
-                   *result.share_error(len(arches), max(len(shapes), 1)), f"of {len(shapes)}")
+        if shapes:
+            report.add(f"throats of {width} diameters that are bridged",
+                       *result.share_error(len(arches), len(shapes)), f"of {len(shapes)}")
         if arches:
             report.add(f"span of their arches ({width})",
                        *result.mean_error([s[0] for s in arches]), "d", f"{width} or more")
