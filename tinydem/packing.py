@@ -49,8 +49,8 @@ def packing_fraction(x, R, low, high, cells=48):
     """Share of the box low..high (3,) [L] that is inside of spheres.
 
     Counts the midpoints of cells^3 small cells, so spheres that the box cuts count with what is
-    inside. The error is about 1/cells of the share of a single sphere's surface: below 0.005 for
-    boxes of some diameters. Overlaps count once.
+    inside. The error is about 0.001 when a sphere is 20 small cells wide, up to 0.01 if the spheres
+    are a lattice in step with the cells. Overlaps count once.
     """
     low, high = np.asarray(low, float), np.asarray(high, float)
     step = (high - low) / cells
