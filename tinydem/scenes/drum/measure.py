@@ -13,7 +13,7 @@ import packing  # noqa: E402
 import result  # noqa: E402
 from frames import columns, read_motion  # noqa: E402
 
-START = 0.5  # revolutions until the flow is steady
+START = 0.4  # revolutions until the flow is steady
 BLOCKS = 5  # the error is that of the means of so many parts of the run
 
 
@@ -52,7 +52,8 @@ def main():
         report.add(f"mixing index after {turns[-1]:.2f} turns at {speed:g} rad/s", mixed[-5:].mean(),
                    mixed[-5:].std(ddof=1) / np.sqrt(5), "", "tends to 1")
         ax[1].plot(turns, mixed, color=color, label=f"{speed:g} rad/s")
-    ax[1].legend()
+    if ax[1].lines:
+        ax[1].legend()
     result.label(ax[0], "angular velocity / (rad/s)", "angle / degrees", "dynamic angle of repose")
     result.label(ax[1], "revolutions", "mixing index", "mixing of the two halves")
     report.save(fig)

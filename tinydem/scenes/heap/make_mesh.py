@@ -28,5 +28,5 @@ def write(name, gap, length, height):
 
 
 if __name__ == "__main__":
-    write("mesh.off", gap=5, length=64, height=44)
+    write("mesh.off", gap=5.5, length=64, height=44)
     write("full.off", gap=11, length=280, height=170)
