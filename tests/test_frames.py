@@ -141,6 +141,13 @@ class Pictures(unittest.TestCase):
         self.assertLess(gold, 0.001)
         self.assertGreater(blue, 0.01)
 
+    def test_a_cut_leaves_the_large_ones(self):
+        small = "".join(particle(f"{x},-1,0", "0.1") for x in (0, 1, 2))
+        write_run(self.folder, [small, small + particle("1,-1,1", "0.5")])
+        self.assertEqual(self.draw("--cut", "y,0", "--color", "R", "--frames", "0,1")[0], 0)
+        self.assertTrue((self.scene_of(0)[:, :300] == 255).all())  # left of the scale of colours
+        self.assertFalse((self.scene_of(1)[:, :300] == 255).all())
+
     def test_a_pattern_turns_with_its_ball(self):
         half = 0.5**0.5
         turned = particle("0,0,0", "1", q=f"{half},{half},0,0")
@@ -165,7 +172,7 @@ class Pictures(unittest.TestCase):
     def test_mistakes_end_with_2(self):
         write_run(self.folder, [particle()])
         for words in (["--frames", "7"], ["--color", "mass"], ["--dye", "x"], ["--dye", "q,0"],
-                      ["--box", "1,2"], ["--hide", "a"]):
+                      ["--box", "1,2"], ["--cut", "y"], ["--hide", "a"]):
             self.assertEqual(self.draw(*words)[0], 2, words)
 
 

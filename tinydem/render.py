@@ -6,6 +6,7 @@
     render.py OUTPUT --frames 0,50,100    frame000000.png, frame000050.png, frame000100.png
     render.py OUTPUT --color R            colours by a column instead of the speed
     render.py OUTPUT --dye x,0,z,0.5      by the side of x = 0 where a grain falls through z = 0.5
+    render.py OUTPUT --cut y,0            without the small balls at y < 0: look inside
     render.py OUTPUT --pattern            balls with sectors, which show how they turn
 
 Options may also stand in the scene file, in a line `# render: OPTIONS`.
@@ -52,12 +53,21 @@ class Balls:
     R: np.ndarray
     q: np.ndarray
     value: np.ndarray  # (N,), decides on the colour
+    of_frame: int  # number of particles of the frame, those that are cut away included
 
     @staticmethod
-    def of(frame, value):
-        """The balls of a frame, with the value (N,) that colours them."""
+    def of(frame, value, cut=None):
+        """The balls of a frame, with the value (N,) that colours them.
+
+        cut: (column, level) [L]; balls below that level are left out, but not those that are more
+        than half as large again as most: so one sees what is inside a bed.
+        """
+        value, R = np.asarray(value), frame["R"]
+        if cut and len(frame):
+            shown = (frame[cut[0]] > cut[1]) | (R > 1.5 * np.median(R))
+            frame, value = frame[shown], value[shown]
         x, q = columns(frame, "x,y,z"), columns(frame, "q0,q1,q2,q3")
-        return Balls(*(a.astype(np.float32) for a in (x, frame["R"], q)), np.asarray(value))
+        return Balls(*(a.astype(np.float32) for a in (x, frame["R"], q)), value, len(R))
 
 
 def value_of(frame, color):
@@ -268,7 +278,7 @@ def draw_frames(stage_at, numbers, frames, painter, interval):
     picture = figure.figimage(np.zeros((1, 1, 3)), origin="lower", zorder=-1)
     for number in numbers:
         balls = frames[number]
-        label.set_text(f"t = {number * interval:.4g} s,  N = {len(balls.R)}")
+        label.set_text(f"t = {number * interval:.4g} s,  N = {balls.of_frame}")
         image = stage_at(number).render(balls, painter.colors(balls), painter.pattern)
         picture.set_data(np.asarray(image))
         canvas.draw()
@@ -301,12 +311,20 @@ def numbers(count):
 
 
 def dye(text):
-    """A parser of x,0 or x,0,z,0.5."""
+    """A parser of x,0 or x,0,z,0.5: a list of (axis, level)."""
     words = text.split(",")
     pairs = [(name, float(level)) for name, level in zip(words[::2], words[1::2])]
     if len(words) not in (2, 4) or any(name not in ("x", "y", "z") for name, _ in pairs):
         raise ValueError
     return pairs
+
+
+def cut(text):
+    """A parser of y,0."""
+    pairs = dye(text)
+    if len(pairs) != 1:
+        raise ValueError
+    return pairs[0]
 
 
 def parse_arguments(words):
@@ -325,6 +343,7 @@ def parse_arguments(words):
         choices=["speed", "spin", "order", "x", "y", "z", "R", "vx", "vy", "vz", "wx", "wy", "wz"])
     add("--dye", type=dye, metavar="AXIS,LEVEL[,AXIS,LEVEL]",
         help="two colours: side of a plane at first, or when falling through the second level")
+    add("--cut", type=cut, metavar="AXIS,LEVEL", help="leave out balls below a level, but not large")
     add("--pattern", action="store_true", help="balls with sectors, which show their orientation")
     add("--box", type=numbers(6), metavar="X,Y,Z,X,Y,Z", help="two corners of what to show")
     add("--hide", type=lambda t: {int(w) for w in t.split(",")}, default=set(), metavar="GROUPS",
@@ -353,12 +372,12 @@ def read_balls(run, wanted, args):
     """{number: Balls} of the wanted frames; a dye follows the grains through all frames."""
     if not args.dye:
         pairs = ((n, run.frame(n)) for n in wanted)
-        return {n: Balls.of(frame, value_of(frame, args.color)) for n, frame in pairs}
+        return {n: Balls.of(frame, value_of(frame, args.color), args.cut) for n, frame in pairs}
     stain, balls = Dye(*args.dye), {}
     for n, frame in run.frames():
         value = stain.value(frame)
         if n in wanted:
-            balls[n] = Balls.of(frame, value)
+            balls[n] = Balls.of(frame, value, args.cut)
     return balls
 
 
