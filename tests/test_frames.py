@@ -31,7 +31,8 @@ class Frames(unittest.TestCase):
 
     def test_a_scene_has_types(self):
         path = self.folder / "s.ini"
-        path.write_text("# first\n# render: --hide 1\nNmax = 1e3\nRmesh = 0.5\ng = 0,0,-9.81 # down\n"
+        path.write_text("# first\n# render: --hide 1\nNmax = 1e3\nRmesh = 0.5\n"
+                        "g = 0,0,-9.81 # down\n"
                         "mesh = a.off\nscheme = paper\nmus = 0.3\n")
         scene = frames.read_scene(path)
         self.assertEqual((scene["Nmax"], scene["scheme"], scene["mus"]), (1000, "paper", 0.3))
@@ -51,12 +52,14 @@ class Frames(unittest.TestCase):
         path = self.folder / "particles000000.csv"
         good = frames.HEADER + "\n" + particle()
         for text, where in ((good + particle("1,nan,3"), ":3:"), (good + "1,2\n", ":3:"),
-                            (good + particle("1,2,x"), ":3:"), (good + particle()[:-1] + ",5\n", ":3:"),
+                            (good + particle("1,2,x"), ":3:"),
+                            (good + particle()[:-1] + ",5\n", ":3:"),
                             ("x,y\n1,2\n", ":1:"), ("", ":1:"), (good + "\n" + particle(), "")):
             path.write_text(text)
             self.assertIn(f"{path}{where}", message_of(self, frames.read_frame, path))
         self.assertIn("cannot be read", message_of(self, frames.read_frame, self.folder / "no.csv"))
-        self.assertIn("no particles000000.csv", message_of(self, frames.read_run, self.folder / "x"))
+        message = message_of(self, frames.read_run, self.folder / "x")
+        self.assertIn("no particles000000.csv", message)
 
     def test_a_mesh_has_elements(self):
         path = self.folder / "m.off"

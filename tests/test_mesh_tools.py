@@ -16,7 +16,8 @@ import mesh_tools
 
 PROGRAM = os.environ.get("TINYDEM", "tinydem")
 TETRAHEDRON = np.array([[[0, 0, 0], [0, 1, 0], [1, 0, 0]], [[0, 0, 0], [1, 0, 0], [0, 0, 1]],
-                        [[0, 0, 0], [0, 0, 1], [0, 1, 0]], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]], float)
+                        [[0, 0, 0], [0, 0, 1], [0, 1, 0]],
+                        [[1, 0, 0], [0, 1, 0], [0, 0, 1]]], float)
 
 
 def ascii_stl(triangles):

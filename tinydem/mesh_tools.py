@@ -200,7 +200,7 @@ def write_stl(path, triangles):
 
 
 def triangles_of(elements):
-    """Triangles (n, 3, 3) of mesh elements; rectangles are cut in two, points and edges left out."""
+    """Triangles (n, 3, 3) of mesh elements; rectangles are cut in two, the rest left out."""
     parts = [e.corners[[0, 1, 2]] for e in elements if len(e.corners) > 2]
     parts += [e.corners[[0, 2, 3]] for e in elements if len(e.corners) == 4]
     return np.reshape(parts, (-1, 3, 3))
@@ -248,7 +248,7 @@ def main(args):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("source", type=Path, help="an .stl or .off file")
-    parser.add_argument("target", type=Path, nargs="?", help="the other kind; without it, only look")
+    parser.add_argument("target", type=Path, nargs="?", help="the other kind, or only look")
     parser.add_argument("--scale", type=float, default=1.0, help="factor for all lengths")
     parser.add_argument("--merge", type=float, default=0.0, help="corners so close become one [L]")
     main(parser.parse_args())

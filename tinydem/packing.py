@@ -144,7 +144,8 @@ def arch(across, height, R, middle, width):
 
     across, height, R (N,) [L]: discs above the throat, which is `width` wide around `middle`.
     Going over it from left to right, from the middle of one foot to that of the other, which rest
-    on the lips of the throat, the lowest disc above every point belongs to the arch. Returns their indices from left to right; empty if something gapes wider than a diameter.
+    on the lips of the throat, the lowest disc above every point belongs to the arch.
+    Returns their indices from left to right; empty if something gapes wider than a diameter.
     """
     if not len(across):
         return np.zeros(0, int)

@@ -80,7 +80,8 @@ def value_of(frame, color):
 
 
 def camera(view, particles):
-    """Of particles (N, 3): unit vectors (3, 3) right, up and to the eye; no view: straight at a plane of particles."""
+    """Unit vectors (3, 3) right, up and to the eye; without a view: straight at a plane of particles
+    (N, 3), if they lie in one."""
     flat = np.ptp(particles, axis=0) == 0 if len(particles) else [False] * 3
     straight = [at for at, is_flat in zip([(0, 0), (-90, 0), (-90, 90)], flat) if is_flat]
     a, e = np.radians(view or (straight + [VIEW])[0])
@@ -238,7 +239,8 @@ class Painter:
     def __init__(self, options, frames):
         """frames: all Balls that are drawn, so that colours mean the same in each of them."""
         self.pattern, self.dyed = options.pattern, bool(options.dye)
-        self.label = {"speed": "speed\n(m/s)", "order": "grain", "spin": "spin\n(1/s)", "R": "R (m)",
+        self.label = {"speed": "speed\n(m/s)", "order": "grain",
+                      "spin": "spin\n(1/s)", "R": "R (m)",
                       **dict.fromkeys(["vx", "vy", "vz"], f"{options.color}\n(m/s)"),
                       **dict.fromkeys(["wx", "wy", "wz"], f"{options.color}\n(1/s)"),
                       **dict.fromkeys("xyz", f"{options.color} (m)")}.get(options.color)
@@ -273,7 +275,8 @@ def draw_frames(stage_at, numbers, frames, painter, interval):
     label = figure.text(LEFT / DPI / w, 1 - 0.35 / h, "", size=13)
     if painter.has_bar:
         bar = figure.add_axes([1 - 0.82 / w, 0.25, 0.16 / w, 0.5])
-        figure.colorbar(painter.scale, cax=bar, format="%.2g" if painter.scale.norm.vmax < 1 else "%g").ax.tick_params(labelsize=11)
+        digits = "%.2g" if painter.scale.norm.vmax < 1 else "%g"
+        figure.colorbar(painter.scale, cax=bar, format=digits).ax.tick_params(labelsize=11)
         bar.set_title(painter.label, fontsize=11, pad=8)
     picture = figure.figimage(np.zeros((1, 1, 3)), origin="lower", zorder=-1)
     for number in numbers:
@@ -339,11 +342,13 @@ def parse_arguments(words):
     add("--size", type=numbers(2), metavar="WxH", help="of a picture [pixels], 300x300 or more")
     add("--view", type=numbers(2), metavar="A,E",
         help="azimuth and elevation, negative: --view=-76,14")
-    add("--color", default="speed", metavar="NAME", help="speed, spin, order (of creation), a column like R",
+    add("--color", default="speed", metavar="NAME",
+        help="speed, spin, order (of creation) or a column, like R",
         choices=["speed", "spin", "order", "x", "y", "z", "R", "vx", "vy", "vz", "wx", "wy", "wz"])
     add("--dye", type=dye, metavar="AXIS,LEVEL[,AXIS,LEVEL]",
         help="two colours: side of a plane at first, or when falling through the second level")
-    add("--cut", type=cut, metavar="AXIS,LEVEL", help="leave out balls below a level, but not large")
+    add("--cut", type=cut, metavar="AXIS,LEVEL",
+        help="leave out balls below a level, but not the large ones")
     add("--pattern", action="store_true", help="balls with sectors, which show their orientation")
     add("--box", type=numbers(6), metavar="X,Y,Z,X,Y,Z", help="two corners of what to show")
     add("--hide", type=lambda t: {int(w) for w in t.split(",")}, default=set(), metavar="GROUPS",
@@ -387,7 +392,8 @@ def main(args):
         fail("--animate mp4: there is no ffmpeg; try: install it, or --animate gif")
     run = read_run(args.directory)
     stills = pick_frames(args, run.files)
-    movie = list(run.files)[::args.every or -(-len(run.files) // MAX_FRAMES)] if args.animate else []
+    step = args.every or -(-len(run.files) // MAX_FRAMES)
+    movie = list(run.files)[::step] if args.animate else []
     frames = read_balls(run, sorted({*stills.values(), *movie}), args)
 
     def mesh(number):

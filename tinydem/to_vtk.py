@@ -109,7 +109,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("directory", type=Path, metavar="OUTPUT", help="folder of a run")
     parser.add_argument("--every", type=int, default=1, metavar="K", help="every K-th frame")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="where to write, default OUTPUT/vtk")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="default: OUTPUT/vtk")
     args = parser.parse_args()
     if args.every < 1:
         fail(f"--every {args.every}: must be 1 or more; try: 1")

@@ -11,9 +11,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # tinydem/
 import packing  # noqa: E402
 import result  # noqa: E402
-from frames import read_motion  # noqa: E402
+from frames import fail, read_motion  # noqa: E402
 
 TOP = 0.75  # share of the height of the bed at which a ball counts as up
+SETTLED = 10  # cycles until all beads have fallen in
 
 
 def history(run):
@@ -27,6 +28,8 @@ def history(run):
         cycles.append(run.time(number) * frequency)
         balls.append(frame["z"][large] + frame["R"][large])
         beds.append(np.quantile(frame["z"][~large], 0.98))
+    if not cycles or cycles[-1] <= SETTLED:
+        fail(f"{run.folder}: ends before the beads have settled; try: a larger --Nframes")
     return np.array(cycles), np.array(balls), np.array(beds)
 
 
@@ -39,7 +42,7 @@ def main():
     for run in runs:
         cycles, balls, beds = history(run)
         share = balls / beds[:, None]
-        first = np.argmax(cycles > 10)  # before that, the beads are still falling in
+        first = np.argmax(cycles > SETTLED)
         risen += [packing.rise(cycles[first:], share[first:, k], TOP)
                   for k in range(share.shape[1])]
         final += list(share[-1])

@@ -11,7 +11,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # tinydem/
 import packing  # noqa: E402
 import result  # noqa: E402
-from frames import columns, read_motion  # noqa: E402
+from frames import columns, fail, read_motion  # noqa: E402
 
 START = 0.4  # revolutions until the flow is steady
 BLOCKS = 5  # the error is that of the means of so many parts of the run
@@ -32,6 +32,8 @@ def follow(run):
         cells = np.maximum(((high - low) / (6 * run.scene["Rmax"])).astype(int), 1)
         mixed = packing.lacey(*packing.shares(x, side, low, high, cells))
         rows.append((run.time(number) * speed / (2 * np.pi), abs(angle), mixed))
+    if not rows:
+        fail(f"{run.folder}: not all grains were there; try: a larger --Nframes")
     return speed, np.array(rows).T
 
 
@@ -44,13 +46,14 @@ def main():
         turns, angles, mixed = rows
         steady = angles[turns > START]
         if len(steady) < 2 * BLOCKS:
+            print(f"{speed:g} rad/s: too short, {turns[-1]:.2f} turns; try a larger --Nframes")
             continue
         value, error = result.mean_error([b.mean() for b in np.array_split(steady, BLOCKS)])
         report.add(f"angle of the surface at {speed:g} rad/s", value, error, "deg",
                    "grows with the speed")
         ax[0].errorbar(speed, value, error, fmt="o", color=color, capsize=2, markerfacecolor="w")
-        report.add(f"mixing index after {turns[-1]:.2f} turns at {speed:g} rad/s", mixed[-5:].mean(),
-                   mixed[-5:].std(ddof=1) / np.sqrt(5), "", "tends to 1")
+        report.add(f"mixing index after {turns[-1]:.2f} turns at {speed:g} rad/s",
+                   mixed[-5:].mean(), mixed[-5:].std(ddof=1) / np.sqrt(5), "", "tends to 1")
         ax[1].plot(turns, mixed, color=color, label=f"{speed:g} rad/s")
     if ax[1].lines:
         ax[1].legend()

@@ -3,8 +3,8 @@
 
     python3 make_mesh.py        # writes mesh.off beside this file
 
-Lengths are in metres. A gutter is two rectangles that meet at a right angle, so a marble in it never
-crosses a seam.
+Lengths are in metres. A gutter is two rectangles that meet at a right angle, so a marble in it
+never crosses a seam.
 """
 import sys
 from pathlib import Path

@@ -58,11 +58,14 @@ def main():
     report.add("marbles in the tray", *result.share_error(len(times), len(starts)),
                f"of {len(starts)}", "1")
     report.add("marbles that fell beside it", lost, unit=f"of {len(starts)}", expected="0")
-    report.add("time for the run", *result.mean_error(times), "s")
-    report.add("scatter of the time", times.std(ddof=1),
-               times.std(ddof=1) / np.sqrt(2 * len(times)), "s", "the bowl and the pins are chaotic")
-    report.add("rotational share of the kinetic energy in the first gutter",
-               *result.mean_error(shares), "", f"{rolling_share(runs[0].scene):.6f}, rolling")
+    if len(times) > 1:
+        report.add("time for the run", *result.mean_error(times), "s")
+        report.add("scatter of the time", times.std(ddof=1),
+                   times.std(ddof=1) / np.sqrt(2 * len(times)), "s",
+                   "large: the bowl and the pins are chaotic")
+    if len(shares):
+        report.add("rotational share of the kinetic energy in the first gutter",
+                   *result.mean_error(shares), "", f"{rolling_share(runs[0].scene):.6f}, rolling")
     fig, ax = result.figure(1, 2)
     ax[0].hist(times, bins=15, color=result.GRAINS, edgecolor="w")
     result.label(ax[0], "time from start to tray / s", "marbles", "no two take the same time")
@@ -72,14 +75,14 @@ def main():
 
 def draw_speeds(ax, run):
     """Speed against spin of all marbles in some frames, and lines for those that roll."""
-    frames = [frame for _, frame in run.frames(every=12) if len(frame)]
+    frames = [frame for _, frame in run.frames(every=12) if len(frame)] or [run.frame()]
     spin = np.concatenate([np.linalg.norm(columns(f, "wx,wy,wz"), axis=1) * f["R"] for f in frames])
     fast = np.concatenate([speed(f) for f in frames])
     ax.plot(spin, fast, ".", color=result.COLORS[5], markersize=2.5)
-    top = np.array([0, spin.max()])
+    top = np.array([0, spin.max(initial=0.1)])
     ax.plot(top, top / np.sqrt(2), color="k", linewidth=0.9, label="rolls in a gutter")
     ax.plot(top, top, color=result.COLORS[1], linewidth=0.9, label="rolls on a plane")
-    ax.set(xlim=(0, None), ylim=(0, 1.1 * fast.max()))
+    ax.set(xlim=(0, None), ylim=(0, 1.1 * fast.max(initial=0.1)))
     ax.legend(loc="upper left")
     result.label(ax, "spin x radius / (m/s)", "speed / (m/s)", "who rolls, who slips or flies?")
 

@@ -11,7 +11,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # tinydem/
 import packing  # noqa: E402
 import result  # noqa: E402
-from frames import columns, speed  # noqa: E402
+from frames import columns, fail, speed  # noqa: E402
 
 GATE, BED, HALF = 0.38, 0.24, 0.09  # heights of the gate and of the bin's rim, half its width [m]
 LEFT, RIGHT = "#f5b229", "#215f9f"  # the two dyes, as in the pictures
@@ -23,6 +23,8 @@ def final_bed(run):
     for _, frame in run.frames():
         side = dye.value(frame)
     bed = (frame["z"] < BED) & (side < 2) & (speed(frame) < 0.1)
+    if bed.sum() < 50:
+        fail(f"{run.folder}: hardly a grain has reached the bin; try: a larger --Nframes")
     return columns(frame, "x,y,z")[bed], side[bed], (side == 1).sum(), (side < 2).sum()
 
 
