@@ -80,8 +80,10 @@ def value_of(frame, color):
 
 
 def camera(view, particles):
-    """Unit vectors (3, 3) right, up and to the eye; without a view: straight at a plane of particles
-    (N, 3), if they lie in one."""
+    """Unit vectors (3, 3) right, up and to the eye.
+
+    Without a view: straight at the plane in which all particles (N, 3) lie, or VIEW.
+    """
     flat = np.ptp(particles, axis=0) == 0 if len(particles) else [False] * 3
     straight = [at for at, is_flat in zip([(0, 0), (-90, 0), (-90, 90)], flat) if is_flat]
     a, e = np.radians(view or (straight + [VIEW])[0])
