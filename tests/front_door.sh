@@ -94,6 +94,21 @@ expect 0 'scene.ini --resume' run box --resume
 never --overwrite
 expect 0 'tinydem --help' run box --help
 never python3
+expect 2 'has no full.ini' run box --full
+expect 2 "--seeds 'x'" run box --seeds x
+expect 2 'how many?' run box --seeds
+expect 0 "output/box-2 --scene $copy/tinydem/scenes/box/scene.ini --overwrite --seed 2 --mus 0.1" \
+  run box --seeds 2 --mus 0.1
+never "box-3"
+echo '# more grains' > "$copy/tinydem/scenes/box/full.ini"
+echo '# other grains' > "$copy/tinydem/scenes/box/other.ini"
+echo 'print()' > "$copy/tinydem/scenes/box/measure.py"
+expect 0 "output/box-full --scene $copy/tinydem/scenes/box/full.ini" run box --full
+expect 0 "measure.py box box-other" run box --series
+never full.ini
+echo 'mesh = part.stl' >> "$copy/tinydem/scenes/box/scene.ini"
+expect 0 "mesh_tools.py $copy/tinydem/scenes/box/part.stl $copy/output/box.off" run box
+expect 0 "tinydem $copy/output/box.off  $copy/output/box --scene" run box
 expect 0 'render.py' run "$copy/tinydem/scenes/box/scene.ini"
 expect 8 'ctest --test-dir' test  # the exit code is that of ctest
 expect 0 'removed' clean
