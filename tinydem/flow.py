@@ -1,88 +1,12 @@
-"""What the teaching scenes measure: fits with error bars, flow profiles, rates, waves, theory.
+"""What the teaching scenes measure: fits with error bars, profiles, rates, waves, kinetic theory.
 
-A scene's measure.py reads a run with frames.py, takes what it needs from here and hands its results
-to report(), which prints them and writes result.csv. Arrays are numpy arrays, units are those of
-the scene; every error is one standard error. Nothing here knows of files except report(), figure
-and run_solver().
+A scene's measure.py reads a run with frames.py, takes what it needs from here and reports with
+result.py. Arrays are numpy arrays, units are those of the scene; an error is one standard error.
+Closed forms and published laws stand here too, each with its source.
 """
-import os
-import shutil
-import subprocess
-from pathlib import Path
 from typing import NamedTuple
 
-import matplotlib
 import numpy as np
-
-from frames import fail
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
-
-ROOT = Path(__file__).resolve().parents[1]
-plt.rcParams.update({
-    "font.family": "DejaVu Sans", "font.size": 8.5, "mathtext.fontset": "dejavusans",
-    "axes.titlesize": 9, "axes.labelsize": 8.5, "legend.fontsize": 7.5, "xtick.labelsize": 7.5,
-    "ytick.labelsize": 7.5, "lines.linewidth": 1.4, "lines.markersize": 4.2, "savefig.dpi": 170,
-    "axes.linewidth": 0.7, "axes.grid": True, "grid.color": "0.88", "grid.linewidth": 0.5,
-    "axes.axisbelow": True, "legend.framealpha": 0.9, "legend.edgecolor": "0.8",
-    "legend.fancybox": False, "legend.handlelength": 2.6, "figure.constrained_layout.use": True,
-})
-COLORS = ["#00429d", "#d1495b", "#3d8f5f", "#8a5fb0", "#e39a1f", "#4fb3d9", "#7a7a7a"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
-LAW = {"color": "0.0", "linewidth": 1.0, "zorder": 1.5}  # a closed form or a published law
-
-
-# ----------------------------------------------------------------------------------- reporting
-
-class Value(NamedTuple):
-    """A measured quantity with its error, and what was expected of it (text, with its source)."""
-    quantity: str
-    value: float
-    error: float
-    unit: str
-    expected: str
-
-
-def report(folder, values, more=()):
-    """Print Values, one a line, and write them to folder/result.csv.
-
-    more: lines of text to print after them.
-    """
-    lines = ["quantity,value,error,unit,expected"]
-    for v in values:
-        unit = f" {v.unit}" if v.unit else ""
-        print(f"{v.quantity} = {v.value:.5g} +- {v.error:.2g}{unit} (expected {v.expected})")
-        lines.append(f'"{v.quantity}",{v.value:.10g},{v.error:.4g},"{v.unit}","{v.expected}"')
-    for line in more:
-        print(line)
-    (Path(folder) / "result.csv").write_text("\n".join(lines) + "\n")
-
-
-def figure(rows=1, columns=1, width=3.35, height=2.65):
-    """A figure of panels [inches] in the look of all figures; axes as plt.subplots gives them."""
-    return plt.subplots(rows, columns, figsize=(columns * width, rows * height))
-
-
-def points(k, **more):
-    """Keywords of plot() for measured points of family k: colour and marker differ."""
-    k %= len(COLORS)
-    return {"color": COLORS[k], "marker": MARKERS[k], "markerfacecolor": "white",
-            "markeredgewidth": 1.0, "linestyle": "none", **more}
-
-
-def label(ax, x, y, title=None):
-    """Name the axes, with units; the title stands at the left."""
-    ax.set_xlabel(x)
-    ax.set_ylabel(y)
-    if title:
-        ax.set_title(title, loc="left")
-
-
-def save(fig, folder):
-    """folder/result.png, the same bytes for the same data."""
-    fig.savefig(Path(folder) / "result.png", metadata={"Software": None})
-    plt.close(fig)
 
 
 # ------------------------------------------------------------------------------ rows of spheres
@@ -174,3 +98,43 @@ def line_fit(x, y, dy=None):
 def power_fit(x, y, dy=None):
     """y = A x^p as a Line in ln x, ln y: a = ln A, b = p; dy: errors of y."""
     return line_fit(np.log(x), np.log(y), None if dy is None else np.asarray(dy) / np.asarray(y))
+
+
+def block_mean(values, blocks=5):
+    """Mean of a series in time and its standard error from the scatter of averages over blocks."""
+    parts = [part.mean() for part in np.array_split(np.asarray(values, float), blocks)]
+    return np.mean(parts), np.std(parts, ddof=1) / np.sqrt(blocks)
+
+
+# --------------------------------------------------------------------------------------- silos
+
+def discharge_rate(t, passed, blocks=6):
+    """Rate (slope of passed (n,) against t (n,)) and its standard error from the slopes of blocks.
+
+    Neighbouring blocks share a point, so that no grain is lost between them.
+    """
+    edges = np.linspace(0, len(t) - 1, blocks + 1).round().astype(int)
+    rates = np.diff(np.asarray(passed, float)[edges]) / np.diff(np.asarray(t)[edges])
+    weight = np.diff(np.asarray(t)[edges])
+    mean = np.average(rates, weights=weight)
+    return mean, np.sqrt(np.average((rates - mean)**2, weights=weight) / (blocks - 1))
+
+
+def beverloo_fit(D, W, dW, exponent=1.5):
+    """C, k and their errors of W = C (D - k)^exponent, and chi^2 per degree of freedom.
+
+    D (n,): orifices in grain diameters; W, dW (n,): rates and errors. exponent: 5/2 for a hole,
+    3/2 for a slot or in two dimensions: W. A. Beverloo et al., Chem. Eng. Sci. 15, 260 (1961).
+    W^(1/exponent) is a line in D.
+    """
+    W, p = np.asarray(W, float), 1 / exponent
+    line = line_fit(D, W**p, p * W**(p - 1) * np.asarray(dW))
+    k = -line.a / line.b
+    dk = abs(k) * np.hypot(line.da / line.a, line.db / line.b)
+    return line.b**exponent, k, exponent * line.b**(exponent - 1) * line.db, dk, line.chi2
+
+
+def beverloo_exponent(D, W, dW, k):
+    """Exponent and its error of W = C (D - k)^n with a given k."""
+    fit = power_fit(np.asarray(D) - k, W, dW)
+    return fit.b, fit.db
