@@ -138,3 +138,149 @@ def beverloo_exponent(D, W, dW, k):
     """Exponent and its error of W = C (D - k)^n with a given k."""
     fit = power_fit(np.asarray(D) - k, W, dW)
     return fit.b, fit.db
+
+
+# ------------------------------------------------------------------------ deposits and profiles
+
+def height_profile(frame, edges, packing=0.6):
+    """Height (bins,) [L] of a round deposit over the distance from the z axis.
+
+    frame: its grains; edges (bins + 1,) [L]. Height: volume of the grains per area of a ring, over
+    the share of space that they fill.
+    """
+    volume = np.histogram(np.hypot(frame["x"], frame["y"]), edges,
+                          weights=4 / 3 * np.pi * frame["R"]**3)[0]
+    return volume / (np.pi * np.diff(np.square(edges))) / packing
+
+
+def runout(r, h, low, high):
+    """Where a line through the slope of a deposit meets the ground, and its error [L].
+
+    r, h (bins,): heights over distance; the slope is what lies between the heights low and high,
+    outside of all that is higher. A front of single grains does not matter.
+    """
+    last = np.flatnonzero(h > high).max(initial=-1)
+    use = (np.arange(len(h)) > last) & (h > low)
+    if np.count_nonzero(use) < 3:
+        return np.nan, np.nan
+    line = line_fit(r[use], h[use])
+    front = -line.a / line.b
+    # the error of the zero: that of the line's height at the front, over its slope
+    centre = r[use].mean()
+    height_error = np.hypot((line.a + line.b * centre) * line.db / line.b,
+                            line.db * np.std(r[use]))
+    return front, abs(height_error / line.b)
+
+
+def lube_runout(a):
+    """(r_end - r_0)/r_0 of a column of aspect ratio a: G. Lube et al., J. Fluid Mech. 508, 175
+    (2004): 1.24 a for a < 1.7, 1.6 sqrt(a) above; sand, salt, rice, couscous and sugar alike."""
+    return np.where(np.asarray(a) < 1.7, 1.24 * np.asarray(a), 1.6 * np.sqrt(a))
+
+
+def binned(place, value, edges):
+    """Mean (bins,) of the values in bins of place, and how many (bins,); nan where there are none.
+    """
+    number = np.histogram(place, edges)[0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.histogram(place, edges, weights=value)[0] / number, number
+
+
+def bagnold(z, h, slip, rise, exponent=1.5):
+    """Speed at height z of a flow of depth h: slip + rise (1 - (1 - z/h)^exponent).
+
+    3/2 where the shear stress is as the square of the rate of shear: R. A. Bagnold, Proc. R. Soc.
+    A 225, 49 (1954); L. E. Silbert et al., Phys. Rev. E 64, 051302 (2001).
+    """
+    return slip + rise * (1 - np.maximum(1 - z / h, 0)**exponent)
+
+
+def bagnold_fit(z, v, dv, h):
+    """Fit of bagnold() with a free exponent: slip, rise, exponent and their errors (3,), (3,)."""
+    from scipy.optimize import curve_fit
+    best, covariance = curve_fit(lambda *a: bagnold(a[0], h, *a[1:]), z, v,
+                                 (v[0], v[-1] - v[0], 1.5), dv, absolute_sigma=True,
+                                 bounds=([-np.inf, 0, 0.5], [np.inf, np.inf, 4]))
+    return best, np.sqrt(np.diag(covariance))
+
+
+# ----------------------------------------------------------------------------------------- gases
+
+def haff_time(scene, radius, number, side, energy):
+    """Time tau [T] of Haff's law E = E_0/(1 + t/tau)^2 for a gas of smooth spheres in a cube.
+
+    Kinetic theory with Maxwell's distribution, P. K. Haff, J. Fluid Mech. 134, 401 (1983): a
+    collision takes (1 - e^2) of the energy of the normal motion. Pairs: Enskog's rate with g of
+    Carnahan and Starling, times the share of directions in which a neighbour has room at a wall;
+    walls: the pressure n T Z on their area. Valid while the gas is uniform: e_n near 1, some mean
+    free paths across. number spheres, cube of inner side [L], energy: at t = 0.
+    """
+    d, inner = 2 * radius, side - 2 * radius  # centres are in a cube of side `inner`
+    mass = 4 / 3 * np.pi * scene["rho"] * radius**3
+    T = 2 * energy / (3 * number)  # [ML^2/T^2]
+    n, q = number / inner**3, d / inner
+    room = 1 - 3 / 2 * q + 2 / np.pi * q**2 - q**3 / (4 * np.pi)
+    n /= 1 + 6 / inner * np.pi * d**4 / 4 * n  # away from the walls, which attract to first order
+    phi = np.pi / 6 * n * d**3
+    g = (1 - phi / 2) / (1 - phi)**3
+    loss = 1 - scene["en"]**2
+    pairs = 4 / 3 * loss * number / inner**3 * room * d**2 * g * np.sqrt(np.pi * T / mass)
+    walls = 2 / 3 * loss / number * n * (1 + 4 * phi * g) * 6 * inner**2 * np.sqrt(
+        T / (2 * np.pi * mass))
+    return 2 / (pairs + walls), 2 / pairs, 2 / walls
+
+
+def haff_fit(t, E, blocks=6):
+    """tau and its error of E = E[0]/(1 + t/tau)^2, for t[0] = 0, from y = sqrt(E[0]/E) - 1 = t/tau.
+
+    The steps of y are independent: each is the work of other collisions. A block spans equal steps
+    of ln(1 + y), so that equally many collisions happen in each and their slopes weigh the same.
+    """
+    y = np.sqrt(E[0] / np.asarray(E, float)) - 1
+    marks = np.linspace(0, np.log1p(y[-1]), blocks + 1)
+    at = np.unique(np.abs(np.log1p(y) - marks[:, None]).argmin(axis=1))
+    slopes = np.diff(y[at]) / np.diff(np.asarray(t)[at])
+    error = slopes.std(ddof=1) / np.sqrt(len(slopes))
+    return 1 / slopes.mean(), error / slopes.mean()**2
+
+
+def haff_exponent(t, E, tau):
+    """Exponent p and its error of E = E[0]/(1 + t/tau)^p for a given tau, by the late half of t."""
+    late = np.asarray(t) > t[-1] / 4
+    line = line_fit(np.log1p(np.asarray(t)[late] / tau), -np.log(np.asarray(E)[late] / E[0]))
+    return line.b, line.db
+
+
+# ------------------------------------------------------------------------------------- billiard
+
+def rolling_share(radius, overlap):
+    """Speed of rolling over that of the sliding start of a sphere: r^2/(r^2 + 2/5 R^2).
+
+    The lever arm r = R - overlap/2 [L] ends in the middle of the overlap; 5/7 for a hard table.
+    """
+    r = radius - overlap / 2
+    return r**2 / (r**2 + 0.4 * radius**2)
+
+
+def hertz_duration(speed, radius, scene):
+    """Duration [T] of the elastic collision of two equal spheres with a normal speed: Hertz 1882."""
+    mass = 2 / 3 * np.pi * scene["rho"] * radius**3  # effective
+    stiffness = 4 / 3 * scene["E"] / (2 * (1 - scene["nu"]**2)) * np.sqrt(radius / 2)
+    depth = (5 / 4 * mass * speed**2 / stiffness)**0.4
+    return 2.94326 * depth / speed
+
+
+def sliding_throw(cut, speed, radius, scene):
+    """Throw angle [rad] of a cut shot (cut [rad]) without spin while the balls slide on each other.
+
+    atan(mu_s) for hard balls (Coulomb). Soft ones: the line of centres turns in the middle of the
+    contact by the tangential way of half its duration over the distance of the centres.
+    """
+    duration = hertz_duration(speed * np.cos(cut), radius, scene)
+    return np.arctan(scene["mus"]) - speed * np.sin(cut) * duration / 2 / (2 * radius)
+
+
+def sticking_throw(cut, scene):
+    """Throw angle [rad] if the contact of hard balls stops sliding: 2/7 of the tangential motion
+    goes over; tan = 2/7 tan(cut)/(1 + e_n)."""
+    return np.arctan(2 / 7 * np.tan(cut) / (1 + scene["en"]))

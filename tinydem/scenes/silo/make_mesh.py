@@ -16,6 +16,7 @@ SPREAD = 0.2               # radii differ by up to this share from the mean
 WIDTH = 60 * DIAMETER
 HEIGHT = 0.5               # of the walls
 WALL = 0.002               # Rmesh: half the thickness of the walls
+JITTER = 7e-5              # grains never stand exactly above each other
 COLUMNS, ROWS, SEED = 49, 62, 1
 ORIFICES = [10, 7, 8, 12, 15]  # widths in mean diameters; the first one is that of scene.ini
 
@@ -38,8 +39,9 @@ def csv_text():
     for row in range(ROWS):
         for column in range(COLUMNS):
             radius = DIAMETER / 2 * (1 + SPREAD * random.uniform(-1, 1))
-            x = step * (column + 0.5) - WIDTH / 2
-            lines.append(f"{x:.6g},0,{step * (row + 0.5):.6g},{radius:.5g},0,0,0,1,0,0,0,0,0,0")
+            x = step * (column + 0.5) - WIDTH / 2 + JITTER * random.uniform(-1, 1)
+            z = step * (row + 0.5)
+            lines.append(f"{x:.6g},0,{z:.6g},{radius:.5g},0,0,0,1,0,0,0,0,0,0")
     return "\n".join(lines) + "\n"
 
 
