@@ -244,11 +244,13 @@ def haff_fit(t, E, blocks=6):
     return 1 / slopes.mean(), error / slopes.mean()**2
 
 
-def haff_exponent(t, E, tau):
-    """Exponent p and its error of E = E[0]/(1 + t/tau)^p for a given tau, by the late half of t."""
-    late = np.asarray(t) > t[-1] / 4
-    line = line_fit(np.log1p(np.asarray(t)[late] / tau), -np.log(np.asarray(E)[late] / E[0]))
-    return line.b, line.db
+def haff_exponent(t, E, tau, blocks=5):
+    """Exponent p and its error of E = E[0]/(1 + t/tau)^p for a given tau: the mean of the slopes of
+    ln E over blocks that span equal steps of ln(1 + t/tau)."""
+    x, y = np.log1p(np.asarray(t) / tau), -np.log(np.asarray(E) / E[0])
+    at = np.abs(x - np.linspace(0, x[-1], blocks + 1)[:, None]).argmin(axis=1)
+    slopes = np.diff(y[at]) / np.diff(x[at])
+    return slopes.mean(), slopes.std(ddof=1) / np.sqrt(blocks)
 
 
 # ------------------------------------------------------------------------------------- billiard

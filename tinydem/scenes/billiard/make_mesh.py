@@ -14,8 +14,8 @@ import numpy as np
 
 HERE = Path(__file__).parent
 RADIUS, DENSITY, YOUNG, POISSON, GRAVITY = 0.028, 1700.0, 5e9, 0.3, 9.81  # as in scene.ini
-TABLE = 2.5     # half a side
-RING = 0.6      # distance of the object balls from the centre
+TABLE = 1.0     # half a side
+RING = 0.25     # distance of the object balls from the centre
 GAP = 1e-5      # between the balls at the start
 SPEED = 1.0     # of the cue balls
 CUTS = [5, 10, 15, 20, 25, 30, 35, 40, 50, 60]  # cut angles [degrees]
@@ -30,7 +30,7 @@ def overlap():
 
 def balls():
     """Rows x, y, vx, vy: the sliding ball, then object ball and cue ball of each shot."""
-    yield 0.0, 0.0, SPEED, 0.0
+    yield -0.4, -0.9, SPEED, 0.0
     for k, cut in enumerate(np.radians(CUTS)):
         angle = 2 * np.pi * (k + 0.5) / len(CUTS)
         n = np.array([np.cos(angle), np.sin(angle)])  # line of centres

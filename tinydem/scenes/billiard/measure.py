@@ -33,12 +33,12 @@ def draw(time, speed, share, cut, throw, scene, theory):
     slide = speed[0] - scene["mus"] * np.linalg.norm(scene["g"]) * time
     left.plot(time, np.maximum(slide, share * speed[0]), "k", linewidth=1,
               label="closed form: slide, then roll")
-    left.plot(time[::2], speed[::2], "o", color=result.COLORS[0], markerfacecolor="w",
+    left.plot(time[::3], speed[::3], "o", color=result.COLORS[0], markerfacecolor="w",
               label="ball 0")
-    left.set(ylim=(0.6, 1.05), xlim=(0, 0.8))
+    left.set(ylim=(0.6, 1.05), xlim=(0, 0.6))
     left.legend()
     result.label(left, "time / s", "speed / (m/s)", "from sliding to rolling")
-    fine = np.linspace(0.01, np.radians(65), 200)
+    fine = np.linspace(0.0, np.radians(65), 200)
     slip, stick = theory(fine), flow.sticking_throw(fine, scene)
     right.plot(np.degrees(fine), np.degrees(slip), "k", linewidth=1, label="slides: closed form")
     right.plot(np.degrees(fine), np.degrees(stick), "--", color="0.4", label="sticks: hard balls")

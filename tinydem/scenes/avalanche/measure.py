@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Speed profile of the flow down a rough chute against Bagnold's: measure.py OUTPUT"""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # tinydem/
+import flow  # noqa: E402
+import result  # noqa: E402
+from frames import columns, fail  # noqa: E402
+
+STEADY = 1.9  # from when the flow has filled the chute [s]
+REACH = (0.35, 0.85)  # the part of the chute that is measured, along x [m]
+BASE, TOP = 1.0, 0.8  # of the fit: above so many diameters, below this share of the depth
+
+
+def collect(run):
+    """Grains of the steady flow: x, z, R, vx (n, 4), frame of each (n,), number of frames."""
+    grains, owner = [], []
+    for number, frame in run.frames():
+        if run.time(number) >= STEADY:
+            here = (frame["x"] > REACH[0]) & (frame["x"] < REACH[1]) & (frame["z"] > 0)
+            grains.append(columns(frame[here], "x,z,R,vx"))
+            owner.append(np.full(len(grains[-1]), len(grains) - 1))
+    if len(grains) < 8 or len(grains[0]) < 100:
+        fail(f"{run.folder}: {len(grains)} frames of a steady flow after {STEADY} s; try: more "
+             "Nframes, or a steeper g")
+    return np.vstack(grains), np.concatenate(owner), len(grains)
+
+
+def profile(grains, owner, frames, d, blocks=5):
+    """Centres z, mean speed, its error and packing (bins,) of layers one diameter d thick.
+
+    The error comes from the means of blocks of frames.
+    """
+    edges = d * np.arange(0, 20)
+    block = owner * blocks // frames
+    v = np.array([flow.binned(grains[block == k, 1], grains[block == k, 3], edges)[0]
+                  for k in range(blocks)])
+    area = np.histogram(grains[:, 1], edges, weights=np.pi * grains[:, 2]**2)[0]
+    packing = area / (frames * d * (REACH[1] - REACH[0]))
+    good = np.isfinite(v).all(axis=0) & (packing > 0.05)
+    z = (edges[1:] + edges[:-1]) / 2
+    return z[good], v.mean(axis=0)[good], v.std(axis=0, ddof=1)[good] / blocks**0.5, packing[good]
+
+
+def depth(z, packing, d):
+    """Height [L] of the surface: a flow of this depth with the packing of the middle layers has as
+    many grains as there are."""
+    inner = np.median(packing[2:len(packing) // 2 + 2])
+    return packing.sum() * d / inner
+
+
+def draw(z, v, dv, packing, h, d, best):
+    """The figure: speed and packing over height, with the fit and Bagnold's exponent."""
+    fig, (left, right) = result.figure(1, 2)
+    fine = np.linspace(0, h, 200)
+    left.errorbar(v, z / d, xerr=dv, fmt="o", color=result.COLORS[0], markerfacecolor="w",
+                  label="program")
+    left.plot(flow.bagnold(fine, h, *best), fine / d, color=result.COLORS[1],
+              label=f"exponent {best[2]:.2f}, fitted")
+    fit = (z > BASE * d) & (z < TOP * h)
+    shape = flow.bagnold(z[fit], h, 0, 1)
+    line = flow.line_fit(shape, v[fit], dv[fit])
+    left.plot(flow.bagnold(fine, h, line.a, line.b), fine / d, "k--", linewidth=1,
+              label="exponent 3/2, Bagnold")
+    left.axhspan(BASE, TOP * h / d, color="0.95", zorder=0)
+    left.legend()
+    result.label(left, "speed along the chute / (m/s)", "height / diameters", "grey: of the fit")
+    right.plot(packing, z / d, "o-", color=result.COLORS[2], markerfacecolor="w")
+    right.axhline(h / d, color="k", linewidth=1)
+    right.set(xlim=(0, 1))
+    result.label(right, "share of the area", "height / diameters", "line: depth of the flow")
+    return fig
+
+
+def main(run, where):
+    """Measure a run, write to the folder where."""
+    grains, owner, frames = collect(run)
+    d = 2 * grains[:, 2].mean()
+    z, v, dv, packing = profile(grains, owner, frames, d)
+    h = depth(z, packing, d)
+    fit = (z > BASE * d) & (z < TOP * h)
+    best, error = flow.bagnold_fit(z[fit], v[fit], dv[fit], h)
+    early, late = (grains[owner < frames // 2], grains[owner >= frames // 2])
+    half = grains[:, 0] > np.mean(REACH)
+    g = run.scene["g"]
+    report = result.Report(where)
+    report.add("slope of the chute", np.degrees(np.arctan2(g[0], -g[2])), unit="degrees")
+    report.add("depth of the flow", h / d, unit="diameters")
+    report.add("exponent of v = v_0 + A (1 - (1 - z/h)^n)", best[2], error[2],
+               expected="3/2, Bagnold; 1 for a thin flow, Silbert et al.")
+    report.add("mean speed", *flow.block_mean([grains[owner == k, 3].mean()
+                                               for k in range(frames)]), "m/s")
+    report.add("mean speed, late / early", late[:, 3].mean() / early[:, 3].mean(),
+               expected="1, steady")
+    report.add("mean speed, second / first half of the reach",
+               grains[half, 3].mean() / grains[~half, 3].mean(), expected="1, fully developed")
+    report.save(draw(z, v, dv, packing, h, d, best))
+
+
+if __name__ == "__main__":
+    outputs, folder = result.arguments(__doc__)
+    main(outputs[0], folder)
