@@ -74,12 +74,20 @@ NESTERENKO_WIDTH = 2 * np.arccos(0.5**0.25) * 5 / np.sqrt(10)
 # ---------------------------------------------------------------------------------------- fits
 
 class Line(NamedTuple):
-    """y = a + b x with standard errors; chi2: of the fit per degree of freedom (1 if dy unknown)."""
+    """y = a + b x: standard errors, covariance of a and b, chi^2 per degree of freedom (1 if the
+    errors of y were not known)."""
     a: float
     b: float
     da: float
     db: float
+    covariance: float
     chi2: float
+
+    def zero(self):
+        """Where the line meets y = 0, and its error."""
+        x = -self.a / self.b
+        variance = self.da**2 + x**2 * self.db**2 + 2 * x * self.covariance
+        return x, np.sqrt(max(variance, 0)) / abs(self.b)
 
 
 def line_fit(x, y, dy=None):
@@ -92,7 +100,7 @@ def line_fit(x, y, dy=None):
     chi2 = np.sum((weight * (y - a - b * x))**2) / (len(x) - 2)
     if dy is None:
         covariance, chi2 = covariance * chi2, 1.0
-    return Line(a, b, *np.sqrt(np.diag(covariance)), chi2)
+    return Line(a, b, *np.sqrt(np.diag(covariance)), covariance[0, 1], chi2)
 
 
 def power_fit(x, y, dy=None):
@@ -129,8 +137,7 @@ def beverloo_fit(D, W, dW, exponent=1.5):
     """
     W, p = np.asarray(W, float), 1 / exponent
     line = line_fit(D, W**p, p * W**(p - 1) * np.asarray(dW))
-    k = -line.a / line.b
-    dk = abs(k) * np.hypot(line.da / line.a, line.db / line.b)
+    k, dk = line.zero()
     return line.b**exponent, k, exponent * line.b**(exponent - 1) * line.db, dk, line.chi2
 
 
@@ -163,13 +170,7 @@ def runout(r, h, low, high):
     use = (np.arange(len(h)) > last) & (h > low)
     if np.count_nonzero(use) < 3:
         return np.nan, np.nan
-    line = line_fit(r[use], h[use])
-    front = -line.a / line.b
-    # the error of the zero: that of the line's height at the front, over its slope
-    centre = r[use].mean()
-    height_error = np.hypot((line.a + line.b * centre) * line.db / line.b,
-                            line.db * np.std(r[use]))
-    return front, abs(height_error / line.b)
+    return line_fit(r[use], h[use]).zero()
 
 
 def lube_runout(a):

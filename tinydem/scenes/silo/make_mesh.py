@@ -14,7 +14,7 @@ import numpy as np
 DIAMETER = 0.006           # mean of a grain
 SPREAD = 0.2               # radii differ by up to this share from the mean
 WIDTH = 60 * DIAMETER
-HEIGHT = 0.5               # of the walls
+HEIGHT = 0.46               # of the walls
 WALL = 0.002               # Rmesh: half the thickness of the walls
 JITTER = 7e-5              # grains never stand exactly above each other
 COLUMNS, ROWS, SEED = 49, 62, 1
