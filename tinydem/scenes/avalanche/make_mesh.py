@@ -3,19 +3,18 @@
 
     python3 make_mesh.py        # writes mesh.off beside this file
 
-Everything lies in the plane y = 0. The chute lies along x; gravity is tilted (g in scene.ini).
-Lengths are in metres. The tops of the bed's spheres scatter around z = 0.
+Everything lies in the plane y = 0. The chute lies along x; gravity is tilted (g in scene.ini). At its end the grains fall
+away for good. Lengths are in metres. The tops of the bed's spheres scatter around z = 0.
 """
 from pathlib import Path
 
 import numpy as np
 
-LENGTH = 1.2
+LENGTH = 1.05
 RADIUS = 0.003  # of the spheres of the bed: Rmesh
 SCATTER = 0.0015  # of their heights
 PITCH = (0.006, 0.0072)  # least and largest distance of neighbours along x
 WALL = 0.15  # height of the wall at x = 0
-BIN = (0.7, 0.3)  # length and depth of the bin that catches the grains
 SEED = 1
 
 
@@ -24,15 +23,10 @@ def off_text():
     random = np.random.default_rng(SEED)
     x = np.cumsum(random.uniform(*PITCH, int(LENGTH / np.mean(PITCH))))
     z = -RADIUS - random.uniform(0, SCATTER, len(x))
-    end, floor = LENGTH + 2 * RADIUS, -BIN[1]
-    corners = [(0, WALL), (0, -RADIUS), (end, -RADIUS), (end, floor), (end + BIN[0], floor),
-               (end + BIN[0], 0)]
-    edges = [(0, 1), (2, 3), (3, 4), (4, 5)]
     lines = ["OFF", "# A rough bed, written by make_mesh.py. Lengths in metres.",
-             f"{len(corners) + len(x)} {len(edges) + len(x)} 0"]
-    lines += [f"{a:.5g} 0 {b:.5g}" for a, b in [*corners, *zip(x, z)]]
-    lines += [f"2 {a} {b} 0" for a, b in edges]
-    lines += [f"1 {len(corners) + k} 0" for k in range(len(x))]
+             f"{len(x) + 2} {len(x) + 1} 0", f"0 0 {-RADIUS}", f"0 0 {WALL}"]
+    lines += [f"{a:.5g} 0 {b:.5g}" for a, b in zip(x, z)]
+    lines += ["2 0 1 0"] + [f"1 {k + 2} 0" for k in range(len(x))]
     return "\n".join(lines) + "\n"
 
 

@@ -10,7 +10,7 @@ import flow  # noqa: E402
 import result  # noqa: E402
 from frames import columns, fail  # noqa: E402
 
-STEADY = 1.9  # from when the flow has filled the chute [s]
+STEADY = 1.7  # from when the flow has filled the chute [s]
 REACH = (0.35, 0.85)  # the part of the chute that is measured, along x [m]
 BASE, TOP = 1.0, 0.8  # of the fit: above so many diameters, below this share of the depth
 

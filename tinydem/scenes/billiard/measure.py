@@ -66,16 +66,17 @@ def main(run, where):
     report = result.Report(where)
     report.add("ball 0, speed of rolling / speed of the start", v[-1, 0] / v[0, 0],
                np.ptp(v[-10:, 0]) / v[0, 0], expected=f"{share:.6f}, hard table 5/7 = 0.714286")
-    brake = v[1] - v[2]  # per frame, while they still slide
-    hit = v[1, objects] + brake[objects]  # just after the collision
+    middle = flow.hertz_duration(speed * np.cos(cut), radius, run.scene) / 2  # of the collision
+    brake = (v[1] - v[2])[objects] / run.interval  # while they still slide
+    hit = v[1, objects] + brake * (run.interval - middle)
     report.add("object balls, speed of rolling / speed after the collision",
                *result.mean_error(v[-1, objects] / hit), expected=f"{share:.6f}")
     slides = np.tan(cut) > 3.5 * run.scene["mus"] * (1 + run.scene["en"])
-    for a, b in zip(cut, throw):
-        full = np.tan(a) > 3.5 * run.scene["mus"] * (1 + run.scene["en"])
-        expected = f"{np.degrees(theory(a)):.3f}, slides" if full else \
-            f"{np.degrees(flow.sticking_throw(a, run.scene)):.3f} for hard balls that stick"
-        report.add(f"throw angle at a cut of {np.degrees(a):.0f} degrees", np.degrees(b),
+    stick = flow.sticking_throw(cut, run.scene)
+    for k, angle in enumerate(np.degrees(cut)):
+        expected = f"{np.degrees(theory(cut)[k]):.3f}, slides" if slides[k] else \
+            f"{np.degrees(stick[k]):.3f} for hard balls that stick"
+        report.add(f"throw angle at a cut of {angle:.0f} degrees", np.degrees(throw[k]),
                    unit="degrees", expected=expected)
     report.add("throw - closed form, mean of the cuts that slide",
                *result.mean_error(np.degrees(throw - theory(cut))[slides]), "degrees",

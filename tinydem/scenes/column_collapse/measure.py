@@ -55,16 +55,15 @@ def main(runs, where):
     for a, spread, error, *_ in measured:
         report.add(f"(r_end - r_0)/r_0 for a = {a:.2f}", spread, error,
                    expected=f"{flow.lube_runout(a):.2f}, Lube et al.")
+    a, spread, error = np.array([one[:3] for one in measured]).T
     if len(measured) > 1:
-        a, spread, error = np.array([one[:3] for one in measured]).T
         report.add("runout / law, all columns", *result.mean_error(spread / flow.lube_runout(a)),
                    expected="1 for many grains across")
-        tall, low = a > 1.5, a < 1.5
-        for who, name, power in ((low, "low", "1"), (tall, "tall", "1/2")):
-            if who.sum() > 1:  # two points: the exponent and its error from theirs
-                x, y, dy = np.log(a[who]), np.log(spread[who]), (error / spread)[who]
-                report.add(f"exponent for {name} columns", (y[-1] - y[0]) / (x[-1] - x[0]),
-                           np.hypot(dy[-1], dy[0]) / (x[-1] - x[0]), expected=f"{power}, Lube et al.")
+    for who, name, power in ((a < 1.5, "low", "1"), (a > 1.5, "tall", "1/2")):
+        if who.sum() > 1:  # two points: the exponent and its error from theirs
+            x, y, dy = np.log(a[who]), np.log(spread[who]), (error / spread)[who]
+            report.add(f"exponent for {name} columns", (y[-1] - y[0]) / (x[-1] - x[0]),
+                       np.hypot(dy[-1], dy[0]) / (x[-1] - x[0]), expected=f"{power}, Lube et al.")
     report.save(draw(measured))
 
 

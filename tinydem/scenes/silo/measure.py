@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Discharge of a silo: constant rate, and its power of the orifice: measure.py OUTPUT [OUTPUT ..]"""
+"""Discharge of a silo, a constant rate, and its power of the orifice: measure.py OUTPUT [..]"""
 import sys
 from pathlib import Path
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Write particles.csv: four rows of equal spheres, a striker or several at the left of each.
 
-    python3 make_particles.py        # writes particles.csv beside this file
+    python3 make_mesh.py        # writes particles.csv beside this file
 
-Lengths are in metres. Each row lies on a line parallel to x; the rows never meet.
+There is no mesh. Lengths are in metres. Each row lies on a line parallel to x; the rows never meet.
 """
 from pathlib import Path
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Write particles.csv: rows of equal spheres that just touch, and a striker for each row.
 
-    python3 make_particles.py        # writes particles.csv beside this file
+    python3 make_mesh.py        # writes particles.csv beside this file
 
-Lengths are in metres. Each row lies on a line parallel to x; the rows never meet.
+There is no mesh. Lengths are in metres. Each row lies on a line parallel to x; the rows never meet.
 """
 from pathlib import Path
 
