@@ -3,8 +3,9 @@
 
     python3 make_mesh.py        # writes mesh.off beside this file
 
-Everything lies in the plane y = 0. The chute lies along x; gravity is tilted (g in scene.ini). At its end the grains fall
-away for good. Lengths are in metres. The tops of the bed's spheres scatter around z = 0.
+Everything lies in the plane y = 0. The chute lies along x; gravity is tilted (g in scene.ini). At
+its end the grains fall away for good. Lengths are in metres. The tops of the bed's spheres scatter
+around z = 0.
 """
 from pathlib import Path
 
