@@ -1,11 +1,16 @@
-"""flow.py on synthetic data with known answers."""
+"""flow.py on synthetic data with known answers; two teaching scenes from solver to result.csv."""
+import csv
+import os
+import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tinydem"))
+TOOLS = Path(__file__).resolve().parents[1] / "tinydem"
+sys.path.insert(0, str(TOOLS))
 import flow  # noqa: E402
 
 SCENE = {"rho": 2000.0, "E": 1e8, "nu": 0.25, "en": 0.9, "mus": 0.2}
@@ -238,6 +243,44 @@ class Billiard(unittest.TestCase):
         self.assertAlmostEqual(flow.sliding_throw(limit, 1.0, 0.03, hard), np.arctan(0.2), 9)
         self.assertAlmostEqual(flow.sticking_throw(limit, SCENE), np.arctan(0.2), 12)
         self.assertLess(flow.sliding_throw(limit, 1.0, 0.03, SCENE), np.arctan(0.2))
+
+
+@unittest.skipUnless("TINYDEM" in os.environ, "set TINYDEM to the program")
+class Scenes(unittest.TestCase):
+    """Solver, measure.py and result.csv of the scenes that run in a second."""
+
+    def measure(self, name):
+        """{quantity: (value, error, expected text)} of a scene."""
+        scene = TOOLS / "scenes" / name
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([os.environ["TINYDEM"], "", "", folder, "--quiet", "--scene",
+                            scene / "scene.ini"], check=True)
+            subprocess.run([sys.executable, scene / "measure.py", folder], check=True,
+                           stdout=subprocess.DEVNULL)
+            self.assertGreater((Path(folder) / "result.png").stat().st_size, 10000)
+            with open(Path(folder) / "result.csv", newline="") as file:
+                rows = list(csv.DictReader(file))
+        return {r["quantity"]: (float(r["value"]), float(r["error"]), r["expected"]) for r in rows}
+
+    def test_newtons_cradle(self):
+        """Second order in dt: measured 7e-6 of the striking speed. The line: to the last bit."""
+        results = self.measure("newtons_cradle")
+        for row in (1, 2, 3, 4):
+            self.assertLess(results[f"row {row}, largest difference to the ODE"][0], 2e-5)
+        share, _, expected = results["row 2, last ball / striker"]
+        self.assertAlmostEqual(share, 0.98747, 5)
+        self.assertAlmostEqual(float(expected.split(",")[0]), 0.98747, 5)
+        self.assertLess(abs(results["relative change of the momentum"][0]), 1e-14)
+        self.assertEqual(results["way off the line"][0], 0)
+
+    def test_billiard(self):
+        """Rolling: 1e-6 off the closed form; throw: 0.001 degrees, of cuts that stick far more."""
+        results = self.measure("billiard")
+        rolling, _, expected = results["ball 0, speed of rolling / speed of the start"]
+        self.assertAlmostEqual(rolling, float(expected.split(",")[0]), delta=5e-6)
+        throw = results["throw - closed form, mean of the cuts that slide"]
+        self.assertLess(abs(throw[0]), 0.01)
+        self.assertLess(results["throw angle at a cut of 5 degrees"][0], 0.5)
 
 
 if __name__ == "__main__":

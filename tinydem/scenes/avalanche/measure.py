@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Speed profile of the flow down a rough chute against Bagnold's: measure.py OUTPUT"""
+"""Speed profile of the flow down a rough chute against Bagnold's: measure.py OUTPUT [..]"""
 import sys
 from pathlib import Path
 
@@ -75,31 +75,43 @@ def draw(z, v, dv, packing, h, d, best):
     return fig
 
 
-def main(run, where):
-    """Measure a run, write to the folder where."""
+def measure_one(run):
+    """Of a run: exponent and its error, depth [d], mean speed and its error, late / early and
+    second / first half of the reach; and what draw() needs."""
     grains, owner, frames = collect(run)
     d = 2 * grains[:, 2].mean()
     z, v, dv, packing = profile(grains, owner, frames, d)
     h = depth(z, packing, d)
     fit = (z > BASE * d) & (z < TOP * h)
     best, error = flow.bagnold_fit(z[fit], v[fit], dv[fit], h)
-    early, late = (grains[owner < frames // 2], grains[owner >= frames // 2])
-    half = grains[:, 0] > np.mean(REACH)
-    g = run.scene["g"]
+    late, far = owner >= frames // 2, grains[:, 0] > np.mean(REACH)
+    means = [grains[owner == k, 3].mean() for k in range(frames)]
+    steady, developed = (grains[who, 3].mean() / grains[~who, 3].mean() for who in (late, far))
+    return (best[2], error[2], h / d, *flow.block_mean(means), steady, developed), (
+        z, v, dv, packing, h, d, best)
+
+
+def main(runs, where):
+    """Measure runs, write to the folder where; the figure shows the first."""
     report = result.Report(where)
-    report.add("slope of the chute", np.degrees(np.arctan2(g[0], -g[2])), unit="degrees")
-    report.add("depth of the flow", h / d, unit="diameters")
-    report.add("exponent of v = v_0 + A (1 - (1 - z/h)^n)", best[2], error[2],
-               expected="3/2, Bagnold; 1 for a thin flow, Silbert et al.")
-    report.add("mean speed", *flow.block_mean([grains[owner == k, 3].mean()
-                                               for k in range(frames)]), "m/s")
-    report.add("mean speed, late / early", late[:, 3].mean() / early[:, 3].mean(),
-               expected="1, steady")
-    report.add("mean speed, second / first half of the reach",
-               grains[half, 3].mean() / grains[~half, 3].mean(), expected="1, fully developed")
-    report.save(draw(z, v, dv, packing, h, d, best))
+    measured = [measure_one(run) for run in runs]
+    for run, (numbers, _) in zip(runs, measured):
+        exponent, error, deep, speed, speed_error, steady, developed = numbers
+        name = f", {run.folder.name}" if len(runs) > 1 else ""
+        g = run.scene["g"]
+        report.add(f"slope of the chute{name}", np.degrees(np.arctan2(g[0], -g[2])), unit="degrees")
+        report.add(f"depth of the flow{name}", deep, unit="diameters")
+        report.add(f"exponent n of v = v_0 + A (1 - (1 - z/h)^n){name}", exponent, error,
+                   expected="3/2, Bagnold; 1 would be a constant rate of shear")
+        report.add(f"mean speed{name}", speed, speed_error, "m/s")
+        report.add(f"mean speed, late / early{name}", steady, expected="1, steady")
+        report.add(f"mean speed, second / first half of the reach{name}", developed,
+                   expected="1, fully developed")
+    if len(runs) > 1:
+        report.add("exponent n, all runs", *result.mean_error([one[0][0] for one in measured]),
+                   expected="3/2, Bagnold")
+    report.save(draw(*measured[0][1]))
 
 
 if __name__ == "__main__":
-    outputs, folder = result.arguments(__doc__)
-    main(outputs[0], folder)
+    main(*result.arguments(__doc__))
