@@ -30,6 +30,9 @@ def draw(rows, exact, diameter):
     left.loglog(top, theory, "k", linewidth=1, label="long-wave theory, power 1/5")
     left.loglog(top, speed, **points, label="program")
     result.label(left, "largest speed of a sphere / (m/s)", "speed of the wave / (m/s)")
+    ticks = [14, 16, 20, 24, 28]
+    left.set_yticks(ticks, [str(tick) for tick in ticks])
+    left.minorticks_off()
     left.legend()
     middle = (FROM + TO) // 2
     for (t, v, peak, V, *_), look in ((rows[0], {**points, "label": "program"}),
@@ -38,9 +41,9 @@ def draw(rows, exact, diameter):
         right.plot(place, v[:, middle] / peak, **look)
     x = np.linspace(-2.48, 2.48, 200)  # half of 5 pi/sqrt(10)
     right.plot(x, np.cos(x * np.sqrt(10) / 5)**4, "k", linewidth=1, label="long-wave theory")
-    right.set_xlim(-4, 4)
+    right.set_xlim(-3, 5.5)
     result.label(right, "place behind the peak / diameters", "speed / largest speed")
-    right.legend(loc="upper left")
+    right.legend(loc="upper right")
     return fig
 
 

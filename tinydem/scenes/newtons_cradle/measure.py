@@ -22,7 +22,7 @@ def draw(ax, v0, v, exact):
                              (v0 == 0, result.COLORS[0], "waited")):
         ax.bar(balls[who], v[who] / v0[0], 0.7, color=color, alpha=0.8, label=name)
     ax.plot(balls, exact / v0[0], "k_", markersize=9, label="ODE of the chain")
-    ax.set(ylim=(-0.25, 1.35), xticks=balls)
+    ax.set(ylim=(-0.25, 1.75), xticks=balls)
 
 
 def main(run, where):
@@ -41,10 +41,9 @@ def main(run, where):
         report.add(f"row {number}, largest difference to the ODE",
                    np.abs(v - exact).max() / v0[0], expected="0, falls as dt^2")
         draw(ax, v0, v, exact)
-        touching = "apart" if start["x"][row[-1]] - start["x"][row[-2]] > 2.001 * start[
-            "R"][0] else "touching"
+        apart = start["x"][row[-1]] - start["x"][row[-2]] > 2.001 * start["R"][0]
         result.label(ax, "ball", "final speed / speed of the strikers" if number == 1 else "",
-                     f"row {number}: {np.count_nonzero(v0)} strike, {touching}")
+                     f"row {number}: {np.count_nonzero(v0)} strike, {'apart' if apart else 'touching'}")
     axes[1].legend(loc="upper left")
     report.add("relative change of the momentum", end["vx"].sum() / start["vx"].sum() - 1,
                expected="0 up to rounding")
