@@ -266,7 +266,7 @@ def rolling_share(radius, overlap):
 
 
 def hertz_duration(speed, radius, scene):
-    """Duration [T] of the elastic collision of two equal spheres, normal speed given: Hertz 1882."""
+    """Duration [T] of the elastic collision of two equal spheres at a normal speed: Hertz 1882."""
     mass = 2 / 3 * np.pi * scene["rho"] * radius**3  # effective
     stiffness = 4 / 3 * scene["E"] / (2 * (1 - scene["nu"]**2)) * np.sqrt(radius / 2)
     depth = (5 / 4 * mass * speed**2 / stiffness)**0.4

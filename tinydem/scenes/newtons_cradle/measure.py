@@ -43,7 +43,8 @@ def main(run, where):
         draw(ax, v0, v, exact)
         apart = start["x"][row[-1]] - start["x"][row[-2]] > 2.001 * start["R"][0]
         result.label(ax, "ball", "final speed / speed of the strikers" if number == 1 else "",
-                     f"row {number}: {np.count_nonzero(v0)} strike, {'apart' if apart else 'touching'}")
+                     f"row {number}: {np.count_nonzero(v0)} in, "
+                     f"{'apart' if apart else 'touching'}")
     axes[1].legend(loc="upper left")
     report.add("relative change of the momentum", end["vx"].sum() / start["vx"].sum() - 1,
                expected="0 up to rounding")
