@@ -9,6 +9,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # tinydem/
 import flow  # noqa: E402
 import result  # noqa: E402
 
+SECTORS = 10  # of the deposit, for the error
+
 
 def column(frame):
     """Radius and height [L] of a column at rest: with the grains that touch the tube, the top."""
@@ -16,15 +18,29 @@ def column(frame):
     return np.quantile(reach, 0.99), np.quantile(frame["z"] + frame["R"], 0.995)
 
 
+def front(frame, r0, d, part=1.0):
+    """Runout [L] of a deposit, and the centres r and heights h (bins,) [L] of its profile.
+
+    part: the share of the circle that frame covers.
+    """
+    edges = d * np.arange(0, int(8 * r0 / d))
+    r, h = (edges[1:] + edges[:-1]) / 2, flow.height_profile(frame, edges) / part
+    return flow.runout(r, h, 0.75 * d, 0.6 * h[1:5].mean())[0], r, h
+
+
 def deposit(run):
-    """Aspect ratio, (r_end - r_0)/r_0 with its error, centres r and heights h (bins,) [r_0]."""
+    """Aspect ratio, (r_end - r_0)/r_0 with its error, centres r and heights h (bins,) [r_0].
+
+    Error: jackknife over sectors, each left out in turn, because they collapse side by side.
+    """
     first, last = run.frame(0), run.frame()
     r0, height = column(first)
     d = 2 * first["R"].mean()
-    edges = d * np.arange(0, int(8 * r0 / d))
-    r, h = (edges[1:] + edges[:-1]) / 2, flow.height_profile(last, edges)
-    front, error = flow.runout(r, h, 0.75 * d, 0.6 * h[1:5].mean())
-    return height / r0, front / r0 - 1, error / r0, r / r0, h / r0
+    end, r, h = front(last, r0, d)
+    sector = np.floor((np.arctan2(last["y"], last["x"]) / (2 * np.pi) + 0.5) * SECTORS)
+    without = [front(last[sector != k], r0, d, 1 - 1 / SECTORS)[0] for k in range(SECTORS)]
+    error = np.sqrt((SECTORS - 1) * np.var(without))
+    return height / r0, end / r0 - 1, error / r0, r / r0, h / r0
 
 
 def draw(measured):
