@@ -98,6 +98,10 @@ double pairs(const Simulation& s) {
   for (const Slab& b : s.slabs) n += b.pairs.size();
   return double(n);
 }
+double wall_contacts(const Simulation& s) {
+  const auto all = s.contacts();
+  return double(std::count_if(all.begin(), all.end(), [](auto& c) { return c.element >= 0; }));
+}
 /// What happened in a number of steps.
 struct Timing { double seconds = 0, horizon = 0; long rebuilds = 0; };
 /// Steps with the solver's own horizon.
@@ -139,6 +143,7 @@ void time(const State& state, const Command& c) {
     const double contacts = double(s.summary().contacts);
     print("time", median(ns), "ns");
     print("contacts", contacts / N, "1");
+    print("wall_contacts", wall_contacts(s) / N, "1");
     print("pairs", pairs(s) / N, "1");
     print("rebuilds", 1000 * double(t.rebuilds) / double(steps), "per 1000 steps");
     print("horizon", t.horizon, "1");

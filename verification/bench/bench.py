@@ -30,7 +30,7 @@ from machinery import Bench, read_state  # noqa: E402
 import report  # noqa: E402
 
 REPORT = HERE.parent / "report"
-PARTS = ("scaling", "memory")
+PARTS = ("scaling", "memory", "features", "sizes", "meshes", "horizon", "roofline", "accuracy")
 
 
 def part(name):

@@ -132,6 +132,27 @@ inline State lattice(int N, const std::function<double(Dice&)>& radius, double R
   s.H = std::max(s.H, (N / n / n + 2) * edge);
   return s;
 }
+/// N spheres of 1 mm on a lattice, and in its midst 7 of 10 mm instead of those in their way.
+inline State among_large(int N) {
+  const double R = 0.01, r = 0.001;
+  const int n = int(std::ceil(std::cbrt(N + 14000)));
+  State s = lattice(n * n * n * 2, [&](Dice&) { return r; }, r, n);
+  tinydem::vector<Particle> all;
+  for (int k = 0; k < 7; ++k) {
+    const double half = s.L / 2, place[] = {half * (k % 2), half * (k / 2 % 2), half * (k / 4)};
+    Particle a;
+    a.x = {real(place[0] + half / 2), real(place[1] + half / 2), real(place[2] + half / 2)};
+    a.R = real(R), all.push_back(a);
+  }
+  for (const Particle& a : s.particles) {
+    const bool free = std::all_of(all.begin(), all.begin() + 7, [&](const Particle& b) {
+      return square(a.x - b.x) > square(a.R + b.R);
+    });
+    if (free && count(all) < N + 7) all.push_back(a);
+  }
+  s.particles = all, s.Rmax = R;
+  return s;
+}
 /// Spheres of the given radii, the largest first, each at a random free place of a box that they
 /// fill to `share`, twice as high as wide.
 inline State scatter(tinydem::vector<double> radii, double share) {
@@ -152,7 +173,8 @@ inline State scatter(tinydem::vector<double> radii, double share) {
         for (int k = index(a.x.z - r, nz - 1); k <= index(a.x.z + r, nz - 1); ++k)
           f(cells[(size_t(i) * size_t(n) + size_t(j)) * size_t(nz) + size_t(k)]);
   };
-  for (size_t k = 0; k < radii.size();) {
+  for (size_t k = 0, tries = 0; k < radii.size(); ++tries) {
+    if (tries > 1000 * (k + 1)) throw RunError("no room for all spheres; fill a smaller share");
     Particle a;
     a.R = real(radii[k]);
     const auto place = [&](double edge) { return real(dice.between(radii[k], edge - radii[k])); };
@@ -205,17 +227,16 @@ inline State loose(const string& kind, int N) {
   else if (kind == "monolayer") {
     s = lattice(N, same, 0.005, square);
     for (Particle& a : s.particles) a.x = {a.x.x, 0, a.x.y}, a.v = {a.v.x, 0, a.v.y};
-  } else if (kind == "gas" || kind == "ratio" || kind == "broad") {
+  } else if (kind == "ratio") s = among_large(N);
+  else if (kind == "gas" || kind == "broad") {
     tinydem::vector<double> radii(size_t(N), kind == "gas" ? 0.005 : 0.001);
     Dice dice;
-    if (kind == "ratio") radii.insert(radii.end(), 7, 0.01);
     if (kind == "broad")  // p(R) ~ R^-4: the same volume of spheres in every octave of radii
       for (double& R : radii) R = 0.001 / std::cbrt(1 - dice.uniform() * (1 - 1e-3));
     s = scatter(radii, kind == "gas" ? 0.05 : 0.3);
     if (kind == "gas")
-      for (Particle& a : s.particles) {
+      for (Particle& a : s.particles)
         a.v = {real(dice.between(-1, 1)), real(dice.between(-1, 1)), real(dice.between(-1, 1))};
-      }
   } else
     throw InputError("state '" + kind +
                      "' must be packing, poly, monolayer, gas, ratio or broad");
