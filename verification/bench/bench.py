@@ -186,6 +186,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--only", nargs="+", choices=PARTS, metavar="NAME",
                         help="only these parts: " + " ".join(PARTS))
+    parser.add_argument("--lammps", action="store_true",
+                        help="LAMMPS must be there (./dem bench --lammps installs it)")
     parser.add_argument("--large", action="store_true", help="also 10^6 and 3 10^6 particles")
     parser.add_argument("--smoke", action="store_true", help="tiny sizes, no report")
     parser.add_argument("--markdown", action="store_true", help="print the kept tables and stop")
@@ -205,6 +207,8 @@ def main():
             print("\n\n".join(markdown(t) for t in part(name).tables(result["data"])) + "\n")
         return
     names = args.only or PARTS
+    if args.lammps and not lmp.here:
+        sys.exit("bench.py: lmp (LAMMPS) is not on the PATH; install it or leave out --lammps")
     if args.smoke:
         smoke(bench, lmp, names)
     if not lmp.here:
