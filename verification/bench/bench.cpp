@@ -8,8 +8,9 @@
 //   bench flags                                          what this was compiled with
 //
 // Options: mesh=KIND (see states.hpp), steps=N (timed), warm=N (before), repeats=N (from the state
-// anew, the median counts), horizon=X (keep Simulation::horizon at this value; 0: leave it alone,
-// but step by step). Everything else goes to the solver, as in a scene file.
+// anew, the median counts), lists=off (do not count steps in which a list is built), horizon=X
+// (keep Simulation::horizon at this value; 0: leave it alone, but step by step). Everything else
+// goes to the solver, as in a scene file.
 #include <sys/resource.h>
 
 #include <chrono>
@@ -25,7 +26,8 @@ namespace bench {
 
 struct Command {
   std::map<string, string> options{
-      {"mesh", "box"}, {"steps", "100"}, {"warm", "20"}, {"repeats", "1"}, {"horizon", ""}};
+      {"mesh", "box"}, {"steps", "100"}, {"warm", "20"},
+      {"repeats", "1"}, {"lists", "on"}, {"horizon", ""}};
   tinydem::vector<Setting> settings{{"Nspawn", "0", "bench"}, {"Rmesh", "0,0", "bench"}};
   /// Reads words `name=value` from the k-th on.
   Command(const tinydem::vector<string>& words, int k) {
@@ -37,7 +39,9 @@ struct Command {
       else settings.push_back({name, value, "bench"});
     }
   }
-  long whole(const string& name, real low, real high) const { return long(number(name, low, high)); }
+  long whole(const string& name, real low, real high) const {
+    return long(number(name, low, high));
+  }
   real number(const string& name, real low, real high) const {
     real a = 0;
     if (!parse(options.at(name), a) || a < low || a > high)
@@ -103,16 +107,30 @@ double wall_contacts(const Simulation& s) {
   return double(std::count_if(all.begin(), all.end(), [](auto& c) { return c.element >= 0; }));
 }
 /// What happened in a number of steps.
-struct Timing { double seconds = 0, horizon = 0; long rebuilds = 0; };
+struct Timing {
+  double seconds = 0, horizon = 0;
+  long steps = 0, rebuilds = 0;
+};
 /// Steps with the solver's own horizon.
 Timing plain(Simulation& s, long steps) {
   const long before = s.rebuilds;
   const double start = now();
   s.run(steps);
-  return {now() - start, double(s.horizon), s.rebuilds - before};
+  return {now() - start, double(s.horizon), steps, s.rebuilds - before};
 }
-/// Steps one by one; with h > 0 the horizon is put back to h before each of them. Sorting changes it
-/// by a tenth up or down and then uses it, so what was used is averaged over the lists.
+/// Steps one by one; those in which a list is built are not counted.
+Timing without_lists(Simulation& s, long steps) {
+  Timing t;
+  while (t.steps < steps) {
+    const long before = s.rebuilds;
+    const double start = now();
+    s.run(1);
+    if (s.rebuilds == before) t.seconds += now() - start, ++t.steps;
+  }
+  return t;
+}
+/// Steps one by one; with h > 0 the horizon is put back to h before each of them. Sorting changes
+/// it by a tenth up or down and then uses it, so what was used is averaged over the lists.
 Timing held(Simulation& s, long steps, real h) {
   Timing t;
   const double start = now();
@@ -122,13 +140,14 @@ Timing held(Simulation& s, long steps, real h) {
     s.run(1);
     if (s.rebuilds > before) ++t.rebuilds, t.horizon += double(s.horizon);
   }
-  t.seconds = now() - start;
+  t.seconds = now() - start, t.steps = steps;
   t.horizon = t.rebuilds > 0 ? t.horizon / double(t.rebuilds) : double(s.horizon);
   return t;
 }
 void time(const State& state, const Command& c) {
   const long steps = c.whole("steps", 1, 1e9), warm = c.whole("warm", 0, 1e9);
   const bool hold = !c.options.at("horizon").empty();
+  const bool lists = c.options.at("lists") != "off";
   const real h = hold ? c.number("horizon", 0, 20) : 0;
   const Mesh mesh = walls(c.options.at("mesh"), state);
   tinydem::vector<double> ns;
@@ -136,9 +155,9 @@ void time(const State& state, const Command& c) {
     Simulation s(c.parameters(state), mesh, state.particles);
     if (hold) held(s, warm, h);
     else s.run(warm);
-    const Timing t = hold ? held(s, steps, h) : plain(s, steps);
+    const Timing t = hold ? held(s, steps, h) : lists ? plain(s, steps) : without_lists(s, steps);
     const double N = s.size();
-    ns.push_back(1e9 * t.seconds / double(steps) / N);
+    ns.push_back(1e9 * t.seconds / double(t.steps) / N);
     if (k > 0) continue;
     const double contacts = double(s.summary().contacts);
     print("time", median(ns), "ns");

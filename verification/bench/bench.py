@@ -208,7 +208,7 @@ def main():
         return
     names = args.only or PARTS
     if args.lammps and not lmp.here:
-        sys.exit("bench.py: lmp (LAMMPS) is not on the PATH; install it or leave out --lammps")
+        parser.error("--lammps: lmp is not on the PATH; install LAMMPS or leave the option out")
     if args.smoke:
         smoke(bench, lmp, names)
     if not lmp.here:

@@ -1,5 +1,5 @@
-// Counts the arithmetic of one contact, one pair that is tested and one particle that is moved, with
-// a number type that counts. Prints lines `name,value,unit`.
+// Counts the arithmetic of one contact, one pair that is tested and one particle that is moved,
+// with a number type that counts. Prints lines `name,value,unit`.
 //
 // The contact law is the solver's own template. The motion of a particle is no template there; its
 // equations stand here a second time and must give the solver's bits, or the program fails.

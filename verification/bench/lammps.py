@@ -98,7 +98,8 @@ class Lammps:
         """One run; {time [ns], rebuilds [per 1000 steps], pairs per particle}.
 
         data: file of write_data; p: parameters; geometry: {L, R, dt, N} with the mean radius R [m];
-        skin in units of R; dump=1: writes what was read to read.dump. Raises RuntimeError with the end of LAMMPS' output when it fails.
+        skin in units of R; dump=1: writes what was read to
+        read.dump. Raises RuntimeError with the end of LAMMPS' output when it fails.
         """
         R = geometry["R"]
         variables = {"data": data, "newton": newton, "skin": skin * R, "dt": repr(geometry["dt"]),

@@ -32,8 +32,8 @@ int threads() {
 }
 volatile double sink;
 
-/// a = b + s c on arrays of `bytes` altogether per thread; bytes read and written per second, of all
-/// threads.
+/// a = b + s c on arrays of `bytes` altogether per thread; bytes read and written per second, of
+/// all threads.
 double bandwidth(size_t bytes) {
   const size_t n = bytes / 3 / sizeof(double);
   const int rounds = int(std::max<size_t>(1, (size_t(1) << 28) / bytes)), team = threads();

@@ -8,19 +8,19 @@ from machinery import MATERIAL, read_state
 from parts.scaling import geometry, prepare
 
 TITLE = "Speed against error"
-TEXT = """Case 08 of the verification: a sphere hits a plate at 1 m/s between 5 and 85 degrees (full model,
-e_n = 0.5); the rms error of the rebound against an event-driven reference, as a share of the impact
-speed, over the step in units of Eq. (50). The price of a step is that of one particle in the settled
-packing of 10⁴ spheres, measured here in turn, so that a second simulated with a thousandth of error has a
-price in processor time. LAMMPS' price of a step stands beside as a scale; its error is not measured
-here (its velocity Verlet and lever arms differ, its spring is advanced before the force as in
-*consistent*)."""
+TEXT = """Case 08 of the verification: a sphere hits a plate at 1 m/s between 5 and 85 degrees
+(full model, e_n = 0.5); the rms error of the rebound against an event-driven reference, as a
+share of the impact speed, over the step in units of Eq. (50). The price of a step is that of
+one particle in the settled packing of 10⁴ spheres, measured here in turn, so that a second
+simulated with a thousandth of error has a price in processor time. LAMMPS' price of a step
+stands beside as a scale; its error is not measured here (its velocity Verlet and lever arms
+differ, its spring is advanced before the force as in *consistent*)."""
 SCHEMES = ("consistent", "paper")
 
 
 def impacts(bench):
-    """Work of case 08, measured if it is missing: {method, dt_over_eq50, error, ...}. In a smoke run
-    nothing: those impacts are a test of their own."""
+    """Work of case 08, measured if it is missing: {method, dt_over_eq50, error, ...}. In a smoke
+    run nothing: those impacts are a test of their own."""
     out = bench.states / "08_oblique"
     if bench.smoke:
         return {"method": np.array([], str), "dt_over_eq50": [], "error": []}

@@ -5,12 +5,12 @@ import style
 from machinery import spread
 
 TITLE = "The automatic neighbour list"
-TEXT = """The solver widens or narrows the reach of its list (`Simulation::horizon`) after every list
-so that building and idle pairs cost the same. Here the horizon is put back to a fixed value before
-every step instead; sorting then changes it by a tenth up or down, and the value drawn is the mean of
-those used. Three scenes of 2000 spheres, one thread: a gas (5 % by volume, elastic, no friction, no
-gravity), a packing that runs out of a square hole in the floor, the settled packing. Stepping one by
-one costs nothing: the row *automatic, step by step*."""
+TEXT = """The solver widens or narrows the reach of its list (`Simulation::horizon`) after every
+list so that building and idle pairs cost the same. Here the horizon is put back to a fixed
+value before every step instead; sorting then changes it by a tenth up or down, and the value
+drawn is the mean of those used. Three scenes of 2000 spheres, one thread: a gas (5 % by volume,
+elastic, no friction, no gravity), a packing that runs out of a square hole in the floor, the
+settled packing. Stepping one by one costs nothing: the row *automatic, step by step*."""
 HELD = (0.3, 0.6, 1.2, 2.5, 5, 10, 20)
 SCENES = {"gas": ("gas", {"mesh": "closed", "en": 1, "mus": 0, "mur": 0, "mut": 0, "g": "0,0,0"}),
           "flow": ("packing", {"mesh": "hopper"}), "packing": ("packing", {})}

@@ -6,10 +6,10 @@ from machinery import MATERIAL
 from parts.scaling import prepare, settled
 
 TITLE = "Memory"
-TEXT = """A fresh process loads the packing, runs some steps and builds two more lists. Peak: the most
-resident memory it ever had, less that of the process before it loaded anything, per particle.
-Resident: what it holds at the end. LAMMPS: the difference of the peaks of two packings over the
-difference in particles."""
+TEXT = """A fresh process loads the packing, runs some steps and builds two more lists. Peak:
+the most resident memory it ever had, less that of the process before it loaded anything, per
+particle. Resident: what it holds at the end. LAMMPS: the difference of the peaks of two
+packings over the difference in particles."""
 VARIANTS = {"full model": {}, "orientations off": {"orientation": "off"},
             "no friction": {"mus": 0, "mur": 0, "mut": 0}, "full model, float": {"float": True}}
 

@@ -3,9 +3,9 @@ import style
 from machinery import spread
 
 TITLE = "Many mesh elements"
-TEXT = """The packing of 10⁴ spheres in its box of five rectangles; the same with 100 352 triangles far
-out of reach; the same with its floor cut into 100 352 triangles (edge a fifth of a radius), so that a
-sphere on the floor touches several at once. One thread."""
+TEXT = """The packing of 10⁴ spheres in its box of five rectangles; the same with 100 352
+triangles far out of reach; the same with its floor cut into 100 352 triangles (edge a fifth of
+a radius), so that a sphere on the floor touches several at once. One thread."""
 KINDS = {"five rectangles": "box", "and 100 352 triangles far away": "far",
          "floor of 100 352 triangles": "fine"}
 

@@ -6,14 +6,15 @@ from machinery import spread
 from parts.scaling import settled
 
 TITLE = "Roofline"
-TEXT = """The arithmetic of one contact is counted by running the solver's own law with a number type that
-counts; that of a moved particle with a transcription that must give the solver's bits. Traffic is what
-the two phases of a step read and write if nothing of the first phase is still in a cache in the second:
-4 structs of a particle, 2 of each pair, 2 of the springs of each contact. The machine's limits are
-measured by the bench itself: bandwidth of a = b + s c (in memory, and in 512 kB), additions and
-multiplications in independent vector instructions without fused multiply-add, divisions, square
-roots. One division or root costs as much as the table says, so the ceiling for the law's mix is lower
-than that for additions and multiplications. One thread."""
+TEXT = """The arithmetic of one contact is counted by running the solver's own law with a number
+type that counts; that of a moved particle with a transcription that must give the solver's
+bits. Traffic is what the two phases of a step read and write if nothing of the first phase is
+still in a cache in the second: 4 structs of a particle, 2 of each pair, 2 of the springs of
+each contact. The machine's limits are measured by the bench itself: bandwidth of a = b + s c
+(in memory, and in 512 kB), additions and multiplications in independent vector instructions
+without fused multiply-add, divisions, square roots. One division or root costs as much as the
+table says, so the ceiling for the law's mix is lower than that for additions and
+multiplications. One thread."""
 KINDS = ("plain", "divisions", "roots")
 
 
@@ -71,8 +72,8 @@ def tables(data):
                    f"{operations(r) / r['bytes']:.2f}", f"{shortest(r, one):.0f}",
                    f"{1e9 * r['bytes'] / one['bandwidth_memory']:.0f}",
                    f"{100 * bound(r, one) / r['time']:.0f} %"] for r in data["rows"]],
-         "note": "Operations: + − × ÷ √ alike. Small packings stay in a cache, where memory sets no "
-                 "limit; there the share refers to memory all the same if that is the larger."}]
+         "note": "Operations: + − × ÷ √ alike. Small packings stay in a cache, where memory sets "
+                 "no limit; there the share refers to memory all the same if that is the larger."}]
 
 
 def bound(row, limits):

@@ -3,9 +3,10 @@ import style
 from machinery import read_state, spread
 
 TITLE = "Size ratio 10"
-TEXT = """Three settled packings in a box, full model, one thread: 30 000 equal spheres; 30 000 small
-ones and 7 of ten times their radius; 10 000 with radii from 1 to 10 mm, as many by volume in every
-octave (number ~ R⁻⁴). Contacts per particle differ, so the fair figure is the time per contact."""
+TEXT = """Three settled packings in a box, full model, one thread: 30 000 equal spheres; 30 000
+small ones and 7 of ten times their radius; 10 000 with radii from 1 to 10 mm, as many by volume
+in every octave (number ~ R⁻⁴). Contacts per particle differ, so the fair figure is the time per
+contact."""
 
 
 def scenes(bench):
