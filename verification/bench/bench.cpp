@@ -11,8 +11,6 @@
 // anew, the median counts), lists=off (do not count steps in which a list is built), horizon=X
 // (keep Simulation::horizon at this value; 0: leave it alone, but step by step). Everything else
 // goes to the solver, as in a scene file.
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -172,35 +170,26 @@ void time(const State& state, const Command& c) {
 
 // --------------------------------------------------------------------------------------- memory
 
-/// The most memory that this process ever had [bytes].
-double peak() {
-  rusage use;
-  getrusage(RUSAGE_SELF, &use);
-#ifdef __APPLE__
-  return double(use.ru_maxrss);
-#else
-  return 1024 * double(use.ru_maxrss);
-#endif
-}
-/// What it has now [bytes]; 0 where the system does not tell.
-double resident() {
+/// A line of /proc/self/status [bytes]: VmHWM, the most memory that this process had; VmRSS, what it
+/// has now. (getrusage would also tell of the process that started this one.)
+double status(const string& name) {
   std::ifstream file("/proc/self/status");
   for (string line; std::getline(file, line);)
-    if (line.rfind("VmRSS:", 0) == 0) return 1024 * std::stod(line.substr(6));
-  return 0;
+    if (line.rfind(name + ":", 0) == 0) return 1024 * std::stod(line.substr(name.size() + 1));
+  throw RunError("/proc/self/status: is needed to measure memory, and only Linux has it");
 }
 void memory(const string& path, const Command& c) {
-  const double empty_peak = peak(), empty = resident();
+  const double empty_peak = status("VmHWM"), empty = status("VmRSS");
   State state = read(path);
   Simulation s(c.parameters(state), walls(c.options.at("mesh"), state), state.particles);
   state.particles = {};
-  const double N = s.size(), loaded = peak();
+  const double N = s.size(), loaded = status("VmHWM");
   s.run(c.whole("steps", 1, 1e9));
   const long rebuilds = s.rebuilds;
   for (s.stale = true; s.rebuilds < rebuilds + 2; s.stale = true) s.run(1);  // two more lists
-  print("peak", (peak() - empty_peak) / N, "bytes");
+  print("peak", (status("VmHWM") - empty_peak) / N, "bytes");
   print("peak_loading", (loaded - empty_peak) / N, "bytes");
-  if (resident() > 0) print("resident", (resident() - empty) / N, "bytes");
+  print("resident", (status("VmRSS") - empty) / N, "bytes");
   print("grain", sizeof(Grain), "bytes");
   print("pair", sizeof(Pair), "bytes");
   print("springs", sizeof(Springs<real>), "bytes");

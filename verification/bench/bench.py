@@ -4,6 +4,7 @@
     ./dem bench --large               also 10^6 and 3 10^6 particles
     ./dem bench --only NAME ...       only these parts; the page keeps the others' last results
     bench.py --markdown               print the tables of the last results as Markdown
+    bench.py --docs                   the same into docs/performance.md, between its two marks
     bench.py --smoke                  tiny sizes; checks inputs and that all numbers are finite
 
 Runs of the same comparison are interleaved and medians taken. No number is judged: a bench that
@@ -30,7 +31,9 @@ from machinery import Bench, read_state  # noqa: E402
 import report  # noqa: E402
 
 REPORT = HERE.parent / "report"
-PARTS = ("scaling", "memory", "features", "sizes", "meshes", "horizon", "roofline", "accuracy")
+DOCS = HERE.parents[1] / "docs" / "performance.md"
+PARTS = ("scaling", "memory", "features", "sizes", "meshes", "horizon", "roofline",
+         "accuracy")
 
 
 def part(name):
@@ -56,6 +59,25 @@ def markdown(table):
     return "\n".join(lines + (["", table["note"]] if table.get("note") else []))
 
 
+def chapters(results):
+    """All kept tables as Markdown."""
+    parts = []
+    for name, result in results.items():
+        tables = "\n\n".join(markdown(t) for t in part(name).tables(result["data"]))
+        parts.append(f"### {part(name).TITLE}\n\n{tables}\n\nMeasured {result['date']}: "
+                     f"{result['machine']}\n")
+    return "\n".join(parts)
+
+
+def update_docs(text):
+    """Puts text between the marks of docs/performance.md."""
+    marks, old = ("<!-- tables -->\n", "<!-- end of tables -->"), DOCS.read_text()
+    if any(old.count(mark) != 1 for mark in marks):
+        sys.exit(f"{DOCS}: must hold {marks[0].strip()} and {marks[1]}, once each")
+    before, rest = old.split(marks[0])
+    DOCS.write_text(before + marks[0] + "\n" + text + "\n" + marks[1] + rest.split(marks[1])[1])
+
+
 def as_html(table):
     rows = [[html.escape(str(c)) for c in row] for row in table["rows"]]
     classes = [""] + ["n"] * (len(table["head"]) - 1)
@@ -78,12 +100,12 @@ def machine(bench):
 
 
 def page(results, words):
-    chapters = []
+    body = []
     for name, result in results.items():
         module = part(name)
         figures = "".join(report.image(REPORT / f"{figure}.svg", caption)
                           for figure, caption in module.draw(result["data"], REPORT))
-        chapters.append(f"<h2 id='{name}'>{html.escape(module.TITLE)}</h2>"
+        body.append(f"<h2 id='{name}'>{html.escape(module.TITLE)}</h2>"
                         f"{report.light(module.TEXT)}"
                         + "".join(as_html(t) for t in module.tables(result["data"])) + figures +
                         f"<p><small>Measured {result['date']} in {result['seconds']:.0f} s. "
@@ -98,7 +120,7 @@ def page(results, words):
 machine that is named below each chapter; ratios travel better than times.</p>
 <p><small>{html.escape(words)} <a href='index.html'>Verification</a></small></p>
 <nav><ol>{links}</ol></nav>
-{"".join(chapters)}
+{"".join(body)}
 </body></html>
 """
 
@@ -191,6 +213,8 @@ def main():
     parser.add_argument("--large", action="store_true", help="also 10^6 and 3 10^6 particles")
     parser.add_argument("--smoke", action="store_true", help="tiny sizes, no report")
     parser.add_argument("--markdown", action="store_true", help="print the kept tables and stop")
+    parser.add_argument("--docs", action="store_true",
+                        help="write the kept tables into docs/performance.md and stop")
     parser.add_argument("--repeats", type=int, help="runs of each kind (default 5)")
     parser.add_argument("--wrap", default="", metavar="COMMAND",
                         help="put before every timed command, e.g. 'taskset -c 0,1'")
@@ -201,10 +225,9 @@ def main():
     bench = Bench(args.build.resolve(), shlex.split(args.wrap), args.smoke, args.large)
     bench.repeats = args.repeats or bench.repeats
     lmp = Lammps(bench.states)
-    if args.markdown:
-        for name, result in kept(bench).items():
-            print(f"## {part(name).TITLE}\n")
-            print("\n\n".join(markdown(t) for t in part(name).tables(result["data"])) + "\n")
+    if args.markdown or args.docs:
+        text = chapters(kept(bench))
+        print(text) if args.markdown else update_docs(text)
         return
     names = args.only or PARTS
     if args.lammps and not lmp.here:

@@ -9,8 +9,8 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
+import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -125,12 +125,23 @@ class Lammps:
                 "rebuilds": 1000 * float(builds[-1]) / steps, "pairs": float(pairs[-1])}
 
     def watch(self, words, env):
-        """Runs words; exit status and output. `peak` becomes the most memory it had [bytes]."""
+        """Runs words; exit status and output. `peak` becomes the most memory that the process had
+        in the end [bytes]; 0 where the system has no /proc."""
+        self.peak = 0
         with tempfile.TemporaryFile("w+") as out:
             child = subprocess.Popen(words, cwd=self.folder, env=env, stdout=out,
                                      stderr=subprocess.STDOUT)
-            _, status, use = os.wait4(child.pid, 0)
-            child.returncode = os.waitstatus_to_exitcode(status)
-            self.peak = use.ru_maxrss * (1 if sys.platform == "darwin" else 1024)
+            while child.poll() is None:
+                self.peak = peak_of(child.pid) or self.peak
+                time.sleep(0.02)
             out.seek(0)
             return child.returncode, out.read()
+
+
+def peak_of(pid):
+    """The most memory that a process had so far [bytes]; 0 if that is not to be found out."""
+    try:
+        lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+    except OSError:
+        return 0
+    return next((1024 * int(line.split()[1]) for line in lines if line.startswith("VmHWM")), 0)

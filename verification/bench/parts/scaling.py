@@ -171,7 +171,9 @@ def draw(data, folder):
         error = [y - [r[f"{key}_low"] for r in rows], [r[f"{key}_high"] for r in rows] - y]
         ax.errorbar([r["N"] for r in rows], y, error, capsize=2, label=name, **style.cycle(k))
     ax.set_xscale("log")
-    ax.set_ylim(0, None)
+    ax.set_yscale("log")
+    ax.yaxis.set_major_formatter(lambda y, _: f"{y:g}")
+    ax.yaxis.set_minor_formatter(lambda y, _: f"{y:g}" if f"{y:e}"[0] in "25" else "")
     style.label(ax, "particles", "time per particle and step / ns", "settled packing")
     ax.legend()
     style.save(fig, folder, "bench_scaling")
