@@ -145,7 +145,8 @@ Timing held(Simulation& s, long steps, real h) {
 void time(const State& state, const Command& c) {
   const long steps = c.whole("steps", 1, 1e9), warm = c.whole("warm", 0, 1e9);
   const bool hold = !c.options.at("horizon").empty();
-  const bool lists = c.options.at("lists") != "off";
+  const string& lists = c.options.at("lists");
+  if (lists != "on" && lists != "off") throw InputError("lists = '" + lists + "': on or off");
   const real h = hold ? c.number("horizon", 0, 20) : 0;
   const Mesh mesh = walls(c.options.at("mesh"), state);
   tinydem::vector<double> ns;
@@ -153,7 +154,8 @@ void time(const State& state, const Command& c) {
     Simulation s(c.parameters(state), mesh, state.particles);
     if (hold) held(s, warm, h);
     else s.run(warm);
-    const Timing t = hold ? held(s, steps, h) : lists ? plain(s, steps) : without_lists(s, steps);
+    const Timing t = hold ? held(s, steps, h) : lists == "on" ? plain(s, steps)
+                                             : without_lists(s, steps);
     const double N = s.size();
     ns.push_back(1e9 * t.seconds / double(t.steps) / N);
     if (k > 0) continue;

@@ -69,6 +69,8 @@ def draw(data, folder):
     ax.barh([r["variant"] for r in some], [r["resident"] for r in some], height=0.4,
             color=style.COLORS[0], label="at the end")
     style.label(ax, "bytes per particle", "")
-    ax.legend()
+    ax.set_xlim(0, 1.3 * max(r["peak"] for r in rows))
+    ax.legend(loc="lower right")
+    ax.grid(False, axis="y")
     style.save(fig, folder, "bench_memory")
     return [("bench_memory", "Resident memory per particle.")]

@@ -87,7 +87,7 @@ def operations(row):
 def draw(data, folder):
     fig, ax = style.figure(1, 1, 4.8, 3.3)
     one, rows = data["limits"]["1"], data["rows"]
-    x = np.geomspace(0.05, 30, 200)
+    x = np.geomspace(0.05, 100, 200)
     for k, (key, name) in enumerate((("bandwidth_memory", "memory"),
                                      ("bandwidth_cache", "512 kB (cache)"))):
         ax.loglog(x, np.minimum(x * one[key], one["plain"]) / 1e9, label=f"roof: {name}",
@@ -99,7 +99,8 @@ def draw(data, folder):
         ax.loglog([operations(r) / r["bytes"]], [operations(r) / r["time"]], linestyle="none",
                   color=style.COLORS[2 + k], marker=style.MARKERS[k], label=f"N = {r['N']:g}")
     style.label(ax, "operations per byte", "10⁹ operations per second", "one thread")
-    ax.legend(loc="upper left", fontsize=6.5)
-    ax.set_ylim(0.3, 3 * one["plain"] / 1e9)
+    ax.legend(loc="lower right", fontsize=6.5)
+    ax.set_xlim(0.05, 100)
+    ax.set_ylim(0.3, 2 * one["plain"] / 1e9)
     style.save(fig, folder, "bench_roofline")
     return [("bench_roofline", "Roofline: what memory and arithmetic allow, and what a step does.")]
