@@ -23,7 +23,8 @@ def impacts(bench):
     run nothing: those impacts are a test of their own."""
     out = bench.states / "08_oblique"
     if bench.smoke:
-        return {"method": np.array([], str), "dt_over_eq50": [], "error": []}
+        empty = np.array([])
+        return {"method": np.array([], str), "dt_over_eq50": empty, "error": empty}
     if not (out / "work.csv").exists():
         subprocess.run([bench.build.parent / "08_oblique", out], check=True, capture_output=True)
     return style.read(out / "work.csv")

@@ -28,6 +28,7 @@ def measure(bench, lmp):
         return {"rows": rows}
     path = settled(bench, "packing", n)
     for name, change in VARIANTS.items():
+        change = dict(change)
         program = "bench_float" if change.pop("float", False) else "bench"
         if not os.access(bench.build / program, os.X_OK):
             continue
