@@ -11,8 +11,8 @@ TITLE = "Dense packings, and LAMMPS on the same particles"
 TEXT = """Spheres fall from a loose lattice into a box with a floor and four side walls
 (rectangles, edge about N^(1/3)) and settle until their kinetic energy is below 10⁻³ Σ m g R:
 the packing still creeps, so that lists are rebuilt. From 10⁵ on, copies of a smaller settled
-packing, every other one mirrored, are put side by side and stacked and settle again (the
-table says how far). Full model: Hertz-Mindlin, sliding, rolling and twisting friction, orientations.
+packing, every other one mirrored, are put side by side and stacked and settle again (the table
+says how far). Full model: Hertz-Mindlin, sliding, rolling and twisting friction, orientations.
 Poly: radii evenly spread from 3.5 to 7 mm, otherwise all are 5 mm. LAMMPS gets the same
 positions, radii, velocities and step, the same normal and sliding law, and its `sds` rolling
 and twisting; its skin and `newton` are the best of those tried at each N. LAMMPS' time is its
