@@ -172,8 +172,8 @@ void time(const State& state, const Command& c) {
 
 // --------------------------------------------------------------------------------------- memory
 
-/// A line of /proc/self/status [bytes]: VmHWM, the most memory that this process had; VmRSS, what it
-/// has now. (getrusage would also tell of the process that started this one.)
+/// A line of /proc/self/status [bytes]: VmHWM, the most memory that this process had; VmRSS, what
+/// it has now. (getrusage would also tell of the process that started this one.)
 double status(const string& name) {
   std::ifstream file("/proc/self/status");
   for (string line; std::getline(file, line);)

@@ -47,7 +47,7 @@ def measure(bench, lmp):
 
 def tables(data):
     if not data["rows"]:
-        return [{"title": "Not measured: this needs /proc, as Linux has it", "head": [], "rows": []}]
+        return [{"title": "Not measured: this needs /proc, as on Linux", "head": [], "rows": []}]
 
     def cell(row, name):
         return f"{row[name]:.0f}" if name in row else "–"
