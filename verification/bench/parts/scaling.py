@@ -1,0 +1,180 @@
+"""Time per particle and step of a dense packing over the number of particles, and LAMMPS on it."""
+import math
+
+import numpy as np
+
+import style
+from lammps import write_data
+from machinery import MATERIAL, read_state, spread
+
+TITLE = "Dense packings, and LAMMPS on the same particles"
+TEXT = """Spheres fall from a loose lattice into a box with a floor and four side walls
+(rectangles, edge about N^(1/3)) and settle until their kinetic energy is below 10⁻³ Σ m g R:
+the packing still creeps, so that lists are rebuilt. From 10⁵ on, copies of a smaller settled
+packing, every other one mirrored, are put side by side and stacked and settle again (the table
+says how far). Full model: Hertz-Mindlin, sliding, rolling and twisting friction, orientations.
+Poly: radii evenly spread from 3.5 to 7 mm, otherwise all are 5 mm. LAMMPS gets the same
+positions, radii, velocities and step, the same normal and sliding law, and its `sds` rolling
+and twisting; its skin and `newton` are the best of those tried at each N. LAMMPS' time is its
+own "Loop time"."""
+SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
+#: Steps timed and steps before, so that a run takes about a second.
+STEPS = {1000: (2000, 200), 10_000: (400, 80), 100_000: (60, 10), 1_000_000: (100, 20),
+         3_000_000: (50, 10)}
+
+
+def sizes(bench):
+    if bench.smoke:
+        return [("packing", 200), ("poly", 200)]
+    some = [("packing", 1000), ("packing", 10_000), ("packing", 100_000), ("poly", 10_000)]
+    return some + bench.large * [("poly", 100_000), ("packing", 1_000_000),
+                                 ("packing", 3_000_000)]
+
+
+def settled(bench, kind, n):
+    """The settled state; from 10^5 on, copies of a smaller one that settle again."""
+    if n < 100_000:
+        return bench.state(kind, n)
+    block = settled(bench, kind, 10_000 if n == 100_000 else 100_000)
+    return bench.state(kind, n, most=5000 if n == 100_000 else 1500, block=block)
+
+
+def geometry(state):
+    """What LAMMPS must know besides particles: box, mean radius, default step, number."""
+    radii = state["particles"][:, 3]
+    dt = state["Rmin"] * math.sqrt(MATERIAL["rho"] * (1 - MATERIAL["nu"] ** 2) / MATERIAL["E"])
+    return {"L": state["L"], "R": float(radii.mean()), "dt": dt, "N": len(radii)}
+
+
+def prepare(bench, path):
+    """Writes LAMMPS' data file for a state, once; its geometry and the name of the file."""
+    state, data = read_state(path), path.with_suffix(".data")
+    if not data.exists():
+        write_data(state, data, MATERIAL["rho"])
+    return geometry(state), data
+
+
+def tune(bench, lmp, data, box, start=None):
+    """The best skin and `newton` of LAMMPS for a state, by short runs; start: a former result, of
+    which only the next smaller and larger skins are tried."""
+    steps = {"steps": max(2, STEPS.get(box["N"], (40, 10))[0] // 4),
+             "warm": STEPS.get(box["N"], (40, 10))[1] // 2}
+    skins, switches = SKINS, ("off", "on")
+    if start:
+        k = SKINS.index(start["skin"])
+        skins, switches = SKINS[max(0, k - 1):k + 2], (start["newton"],)
+    jobs = {(s, w): (lambda s=s, w=w: lmp.run(data, MATERIAL, box, skin=s, newton=w,
+                                             wrap=bench.wrap, **steps))
+            for s in skins for w in switches}
+    tried = bench.interleave(jobs, 1 if bench.smoke or start else 2)
+    skin, newton = min(tried, key=lambda key: tried[key]["time"])
+    return {"skin": skin, "newton": newton}
+
+
+def compare(bench, lmp, kind, n, best):
+    """All of one state: both codes, one and two threads or ranks, in turn."""
+    path = settled(bench, kind, n)
+    state = read_state(path)
+    steps, warm = STEPS.get(n, (40, 10))
+    jobs = {f"ours{t}": (lambda t=t: bench.time(path, threads=t, steps=steps, warm=warm))
+            for t in (1, 2)}
+    if lmp.here:
+        box, data = prepare(bench, path)
+        best = tune(bench, lmp, data, box, best if n >= 100_000 or kind == "poly" else None)
+        for ranks in (1, 2):
+            if lmp.launcher(ranks) is not None:
+                jobs[f"lammps{ranks}"] = lambda ranks=ranks: lmp.run(
+                    data, MATERIAL, box, ranks=ranks, steps=steps, warm=warm, wrap=bench.wrap,
+                    **best)
+    results = bench.interleave(jobs)
+    row = {"state": kind, "N": n, "settling": state["steps"], "unrest": state["unrest"],
+           "steps": steps, **(best or {})}
+    for key, result in results.items():
+        row.update({f"{key}_{name}": value for name, value in result.items()})
+        row[f"{key}_spread"] = spread(result)
+    return row, best
+
+
+def measure(bench, lmp):
+    rows, best = [], None
+    for kind, n in sizes(bench):
+        row, found = compare(bench, lmp, kind, n, best)
+        best = found if kind == "packing" else best
+        rows.append(row)
+    return {"rows": rows, "lammps": lmp.version() if lmp.here else None}
+
+
+def exponent(rows, key):
+    """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings."""
+    some = [r for r in rows if r["state"] == "packing" and f"{key}_time" in r]
+    if len(some) < 2:
+        return float("nan")
+    n = np.array([r["N"] for r in some], float)
+    step = n * np.array([r[f"{key}_time"] for r in some])
+    return float(np.polyfit(np.log(n), np.log(step), 1)[0])
+
+
+def cell(row, key):
+    """A time and its spread; a dash where there is none."""
+    if f"{key}_time" not in row:
+        return "–"
+    return f"{row[f'{key}_time']:.0f} ± {100 * row[f'{key}_spread']:.0f} %"
+
+
+def ratio(row, n):
+    if f"lammps{n}_time" not in row:
+        return "–"
+    return f"{row[f'lammps{n}_time'] / row[f'ours{n}_time']:.2f}"
+
+
+def tables(data):
+    rows = data["rows"]
+    keys = ("ours1", "ours2", "lammps1", "lammps2")
+    times = {"title": "ns per particle and step (median ± half the range)",
+             "head": ["state", "N", "1 thread", "2 threads", "LAMMPS, 1 rank", "LAMMPS, 2 ranks",
+                      "LAMMPS / ours, 1", "LAMMPS / ours, 2"],
+             "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), *(cell(r, k) for k in keys),
+                       ratio(r, 1), ratio(r, 2)] for r in rows],
+             "note": "Exponent p of (time of a step) ~ N^p over the packings: " + ", ".join(
+                 f"{name} {exponent(rows, k):.2f}" for k, name in
+                 zip(keys, ("1 thread", "2 threads", "LAMMPS 1 rank", "2 ranks"))
+                 if f"{k}_time" in rows[0]) + "." + (
+                     f" LAMMPS {data['lammps']}." if data["lammps"] else
+                     " LAMMPS is not installed: `./dem bench --lammps` installs it.")}
+    more = {"title": "The same runs: how much there was to do",
+            "head": ["state", "N", "settled in steps", "kinetic energy / Σ m g R",
+                     "contacts per particle", "pairs per particle", "lists per 1000 steps",
+                     "updates/s, 1 thread", "updates/s, 2 threads", "LAMMPS: skin / R, newton",
+                     "LAMMPS: lists per 1000 steps"],
+            "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), f"{r['settling']:.0f}" +
+                      (" (stacked)" if r["N"] >= 100_000 else ""),
+                      f"{r['unrest']:.1e}", f"{r['ours1_contacts']:.2f}",
+                      f"{r['ours1_pairs']:.2f}", f"{r['ours1_rebuilds']:.0f}",
+                      f"{1e9 / r['ours1_time']:.2e}", f"{1e9 / r['ours2_time']:.2e}",
+                      f"{r['skin']}, {r['newton']}" if "skin" in r else "–",
+                      f"{r['lammps1_rebuilds']:.0f}" if "lammps1_rebuilds" in r else "–"]
+                     for r in rows],
+            "note": "A contact or pair of two particles counts once (across the border of two "
+                    "slabs of the solver a pair stands in both lists)."}
+    return [times, more]
+
+
+def draw(data, folder):
+    fig, ax = style.figure(1, 1, 4.6, 3.1)
+    names = {"ours1": "TinyDEM, 1 thread", "ours2": "TinyDEM, 2 threads",
+             "lammps1": "LAMMPS, 1 rank", "lammps2": "LAMMPS, 2 ranks"}
+    for k, (key, name) in enumerate(names.items()):
+        rows = [r for r in data["rows"] if r["state"] == "packing" and f"{key}_time" in r]
+        if not rows:
+            continue
+        y = np.array([r[f"{key}_time"] for r in rows])
+        error = [y - [r[f"{key}_low"] for r in rows], [r[f"{key}_high"] for r in rows] - y]
+        ax.errorbar([r["N"] for r in rows], y, error, capsize=2, label=name, **style.cycle(k))
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.yaxis.set_major_formatter(lambda y, _: f"{y:g}")
+    ax.yaxis.set_minor_formatter(lambda y, _: f"{y:g}" if f"{y:e}"[0] in "25" else "")
+    style.label(ax, "particles", "time per particle and step / ns", "settled packing")
+    ax.legend()
+    style.save(fig, folder, "bench_scaling")
+    return [("bench_scaling", "Time per particle and step; bars: range of the repetitions.")]
