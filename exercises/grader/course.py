@@ -7,6 +7,7 @@ import random
 import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from .program import Lost, Runner, Workshop, finite
@@ -350,14 +351,15 @@ def grade(exercise, answer, build, compiler, seed=1, only=None, threads=1, jobs=
     limits = {**exercise.limits, "threads": threads}
     with Workshop(compiler, build) as shop:
         program, said = shop.program(exercise, answer)
+        sandbox = shop.sandbox()
         built = Line("builds", "builds", CATEGORIES["builds"] if program else 0,
                      CATEGORIES["builds"], None, "" if program else "it does not compile")
         if not program:
             lines = [Line(c.name, c.category, 0, c.points, None, "not run", c) for c in chosen]
             return Sheet(exercise, seed, [built, *lines], said)
         with ThreadPoolExecutor(jobs) as pool:
-            lines = list(pool.map(lambda c: run_check(exercise, c, seed,
-                                                      lambda: Runner(program, limits)), chosen))
+            start = partial(Runner, sandbox, program, limits)
+            lines = list(pool.map(lambda c: run_check(exercise, c, seed, start), chosen))
     return Sheet(exercise, seed, [built, *lines], said)
 
 

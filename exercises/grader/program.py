@@ -1,7 +1,6 @@
 """Builds an answer, and talks with the program that evaluates it (include/check.hpp)."""
 import array
 import hashlib
-import json
 import math
 import os
 import secrets
@@ -10,14 +9,13 @@ import shutil
 import signal
 import struct
 import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
 
 FLAGS = ["-std=c++17", "-O1", "-ffp-contract=off"]
 WARNINGS = ["-Wall", "-Wextra"]
-SANDBOX = Path(__file__).with_name("sandbox.py")
+SANDBOX = Path(__file__).with_name("sandbox.cpp")
 SLICE = 0.05  # seconds between two looks at a silent program
 OUTPUT_KEPT = 2000  # characters of what an answer prints
 
@@ -68,21 +66,26 @@ class Workshop:
     def __exit__(self, *_):
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def checks_object(self, exercise):
-        """The compiled checks.cpp of an exercise, kept for the next answer."""
-        texts = [path.read_bytes() for path in [exercise.folder / "checks.cpp", *exercise.headers]]
-        key = hashlib.sha256(b"\0".join([self.compiler.encode(), *map(str.encode, FLAGS), *texts]))
-        kept = self.build / f"{exercise.slug}-{key.hexdigest()[:16]}.o"
+    def kept(self, name, sources, options):
+        """The result of compiling sources[0] (the rest: its headers), kept for the next answer."""
+        key = hashlib.sha256("\0".join([self.compiler, *FLAGS, *options]).encode())
+        for path in sources:
+            key.update(path.read_bytes())
+        kept = self.build / f"{name}-{key.hexdigest()[:16]}"
         if not kept.exists():
-            for header in exercise.headers:
-                shutil.copy(header, self.folder)
-            shutil.copy(exercise.folder / "checks.cpp", self.folder)
-            fresh = self.folder / "checks.o"
-            ok, said = compile_to(fresh, [self.compiler, *FLAGS, "-c", "checks.cpp"], self.folder)
+            folder = Path(tempfile.mkdtemp(dir=self.folder))
+            for path in sources:
+                shutil.copy(path, folder)
+            fresh = folder / "result"
+            ok, said = compile_to(fresh, [self.compiler, *FLAGS, *options, sources[0].name], folder)
             if not ok:
-                raise RuntimeError(f"{exercise.slug}/checks.cpp does not compile:\n{said}")
+                raise RuntimeError(f"{sources[0]} does not compile:\n{said}")
             os.replace(fresh, kept)
         return kept
+
+    def sandbox(self):
+        """The program that starts an answer with limits."""
+        return self.kept("sandbox", [SANDBOX], [])
 
     def foreign(self, dependencies, exercise):
         """Files of this project that an answer includes although it must not."""
@@ -96,7 +99,7 @@ class Workshop:
         The answer sees only the headers of the exercise, and its compiler options are ours. The
         checks are compiled apart, so that no macro of the answer reaches them.
         """
-        checks = self.checks_object(exercise)
+        checks = self.kept(exercise.slug, [exercise.folder / "checks.cpp", *exercise.headers], ["-c"])
         for header in exercise.headers:
             shutil.copy(header, self.folder)
         shutil.copyfile(answer, self.folder / "answer.cpp")
@@ -134,14 +137,14 @@ class Runner:
     """
     REQUEST, REPLY = struct.Struct("=QQQ40s"), struct.Struct("=QQQQ")
 
-    def __init__(self, program, limits):
+    def __init__(self, sandbox, program, limits):
         self.limits, self.printed, self.waited = limits, b"", 0.0
         ask, self.to = os.pipe()
         self.back, answer = os.pipe()
         self.empty = tempfile.TemporaryDirectory()
-        isolated = [sys.executable, "-I", "-S", str(SANDBOX), json.dumps(limits)]
         self.process = subprocess.Popen(
-            [*isolated, str(program), str(ask), str(answer)], pass_fds=(ask, answer),
+            [str(sandbox), str(limits["cpu"]), str(limits["memory"]), str(program), str(ask),
+             str(answer)], pass_fds=(ask, answer),
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
             cwd=self.empty.name, start_new_session=True,
             env={"LC_ALL": "C", "PATH": "/usr/bin:/bin", "GOMP_SPINCOUNT": "10000",
