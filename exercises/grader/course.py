@@ -164,14 +164,15 @@ class Ask:
         """error is compared with the tolerance; the texts are shown when it is too large."""
         return Outcome(error, str(measured), str(expected), at, cause)
 
-    def compare(self, name, rows, want=None, scale=0.0, ratios=None):
+    def compare(self, name, rows, want=None, part=slice(None), scale=0.0, ratios=None):
         """Worst relative error |got - want| / max(|want|, scale) over all rows.
 
-        want: the right results, default: those of the reference. scale: below it errors are
-        absolute. ratios: {got/want: cause}; a mistake that shows as a constant factor is named.
+        want: the right results, default: those of the reference. part: of the numbers of a result,
+        e.g. slice(0, 3). scale: below it errors are absolute. ratios: {got/want: cause}; a mistake
+        that shows as a constant factor is named.
         """
-        want = [as_tuple(w) for w in (want or self.reference(name, rows))]
-        got = self.call(name, rows)
+        want = [as_tuple(w)[part] for w in (want or self.reference(name, rows))]
+        got = [g[part] for g in self.call(name, rows)]
         errors = []
         for g, w in zip(got, want):
             size = max(norm(w), scale)
