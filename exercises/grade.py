@@ -13,6 +13,7 @@ import argparse
 import json
 import os
 import sys
+import textwrap
 import time
 from pathlib import Path
 
@@ -27,10 +28,6 @@ PROGRESS = TOP / "progress.json"
 FULL = sum(course.CATEGORIES.values())
 
 
-class Mistake(Exception):
-    """The command line asks for something that is not there; the text says what to try."""
-
-
 # ---------------------------------------------------------------------------------- what is meant
 
 def choose(names):
@@ -39,26 +36,26 @@ def choose(names):
     known = {key: e for e in every for key in (e.number, e.slug)}
     for name in names:
         if name.rstrip("/").split("/")[-1] not in known and name.zfill(2) not in known:
-            raise Mistake(f"there is no exercise '{name}'; there are "
+            raise course.Mistake(f"there is no exercise '{name}'; there are "
                           f"{', '.join(e.number for e in every)}")
     return [known.get(n.rstrip("/").split("/")[-1]) or known[n.zfill(2)] for n in names] or every
 
 
 def compiler_for(options):
-    """The C++ compiler, or Mistake."""
+    """The C++ compiler, or course.Mistake."""
     found = program.find_compiler(options.compiler)
     if not found:
-        raise Mistake(f"there is no compiler '{options.compiler or 'c++'}'; install one "
+        raise course.Mistake(f"there is no compiler '{options.compiler or 'c++'}'; install one "
                       "(apt-get install g++) or name it: --compiler clang++")
     return found
 
 
 def check_names(exercises, only):
-    """Mistake if --check names a check that none of the exercises has."""
+    """course.Mistake if --check names a check that none of the exercises has."""
     known = [c.name for e in exercises for c in e.checks]
     for name in only or []:
         if name not in known:
-            raise Mistake(f"there is no check '{name}'; there are {', '.join(known)}")
+            raise course.Mistake(f"there is no check '{name}'; there are {', '.join(known)}")
 
 
 # ---------------------------------------------------------------------------------- showing
@@ -69,11 +66,11 @@ def show(sheet, partial):
     total = "" if partial else f"{sheet.points:g}/{FULL}"
     print(f"\n{e.number} {e.title:<50}{total:>10}")
     for line in sheet.lines:
-        mark = "ok " if line.points == line.maximum else "-- "
+        mark = "ok " if line.full else "-- "
         eq = f"   {line.check.eq}" if line.check else ""
         print(f"  {mark}{line.name:<22}{line.points:>5g}/{line.maximum:<3g}{eq}")
         for text in course.feedback(line, sheet):
-            print(f"       {text}")
+            print(textwrap.fill(text, 100, initial_indent=" " * 7, subsequent_indent=" " * 9))
     if sheet.said and sheet.lines[0].points:
         print("  the compiler warns:")
         for text in sheet.said.splitlines()[:8]:
@@ -97,7 +94,7 @@ def grade_once(exercises, options, compiler):
     sheets = []
     for exercise in exercises:
         answer = Path(options.file) if options.file else exercise.answer()
-        sheet = course.grade(exercise, answer, BUILD, compiler, options.seed, options.check,
+        sheet = course.grade(exercise, answer, BUILD, compiler, [options.seed], options.check,
                              options.threads, options.jobs)
         sheets.append(sheet)
         if not options.json:
@@ -106,7 +103,7 @@ def grade_once(exercises, options, compiler):
             remember(sheet)
     if options.json:
         print(json.dumps([s.as_dict() for s in sheets], indent=1))
-    return all(x.points == x.maximum for s in sheets for x in s.lines)
+    return all(x.full for s in sheets for x in s.lines)
 
 
 def watch(exercises, options, compiler):
@@ -131,7 +128,7 @@ def do_grade(options):
         return selftest.run(exercises, BUILD, options)
     check_names(exercises, options.check)
     if options.file and (len(exercises) > 1 or not Path(options.file).is_file()):
-        raise Mistake(f"--file {options.file} must be a file, and goes with one exercise")
+        raise course.Mistake(f"--file {options.file} must be a file, and goes with one exercise")
     compiler = compiler_for(options)
     if options.watch:
         try:
@@ -158,7 +155,8 @@ def do_progress(_):
 
 def do_handout(options):
     from grader import classroom
-    return classroom.handout(TOP, Path(options.directory), choose(options.exercise))
+    return classroom.handout(TOP, Path(options.directory), choose(options.exercise), BUILD,
+                             compiler_for(options))
 
 
 def do_gradebook(options):
@@ -197,11 +195,13 @@ def command_line():
         sub = verb("handout", "write the tree for students", do_handout)
         sub.add_argument("directory", help="a directory that does not exist yet")
         sub.add_argument("exercise", nargs="*", help="numbers; default: all")
+        common(sub)
         sub = verb("gradebook", "grade a class", do_gradebook)
         sub.add_argument("submissions", help="a directory with a directory per student")
         sub.add_argument("exercise", nargs="*", help="numbers; default: all")
         sub.add_argument("--output", default="gradebook", help="directory (default: gradebook)")
         sub.add_argument("--seed", type=int, help="of the hidden inputs (default: drawn)")
+        sub.add_argument("--overwrite", action="store_true", help="replace an earlier gradebook")
         common(sub)
     return parser
 
@@ -210,7 +210,7 @@ def main():
     options = command_line().parse_args()
     try:
         return options.run(options)
-    except (Mistake, course.BadExercise) as problem:
+    except (course.Mistake, course.BadExercise) as problem:
         print(f"dem: {problem}", file=sys.stderr)
         return 2
 

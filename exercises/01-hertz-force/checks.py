@@ -67,7 +67,7 @@ FACTORS = {0.5: "2/3 where Eq. (12) has 4/3, or a factor 2 in Eq. (15)",
 def equal_spheres(ask):
     """The force between two equal spheres, overlaps from 1e-5 R to 0.3 R"""
     i = sphere(ask)
-    rows = [pair(ask, i[0] * 10 ** ask.uniform(-5, -0.5), i, i) for _ in range(40)]
+    rows = [pair(ask, i[0] * ask.log_uniform(1e-5, 0.3), i, i) for _ in range(40)]
     return ask.compare("hertz_force", rows, ratios=FACTORS)
 
 
@@ -79,7 +79,7 @@ def unequal_spheres(ask):
     rows = []
     for _ in range(40):
         i, j = sphere(ask), sphere(ask)
-        rows.append(pair(ask, min(i[0], j[0]) * 10 ** ask.uniform(-5, -0.5), i, j))
+        rows.append(pair(ask, min(i[0], j[0]) * ask.log_uniform(1e-5, 0.3), i, j))
     return ask.compare("hertz_force", rows, ratios=FACTORS)
 
 
@@ -143,7 +143,7 @@ def impact(ask, v, m, i, steps):
 def elastic_impact(ask):
     """A sphere that hits its fixed twin: compressed as deep as energy says, and returns as fast"""
     i, v, m = sphere(ask, nu=0.4), ask.log_uniform(0.05, 0.5), ask.log_uniform(1e-3, 1)
-    i = (i[0], max(i[1], 1e4 * m * v * v / i[0] ** 3), i[2])  # stiff enough for a small overlap
+    i = (i[0], max(i[1], 1e4 * m * v * v / (i[0] * i[0] * i[0])), i[2])  # stiff enough for a small overlap
     speed, reach, deepest = impact(ask, v, m, i, 400)
     at = f"R = {i[0]:.3g}, E = {i[1]:.3g}, nu = {i[2]:.3g}, m = {m:.3g}, v = {v:.3g}"
     return [ask.outcome(abs(speed / v - 1), f"returns with {speed / v:.5g} v", "v", at),

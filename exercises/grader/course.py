@@ -7,17 +7,19 @@ import random
 import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from decimal import Context, Decimal
 from functools import partial
 from pathlib import Path
 
 from .program import Lost, Runner, Workshop, finite
-from .vec import norm, sub
+from .vec import norm, scale, sub
 
 #: Points of every exercise, by category.
 CATEGORIES = {"builds": 5, "contract": 10, "pointwise": 35, "invariants": 25, "convergence": 15,
               "clean": 10}
 LIMITS = {"cpu": 2, "memory": 1024, "wall": 5, "threads": 1}
 PUBLIC_SEEDS = (1, 2, 3, 4)
+CONTEXT = Context(prec=25)
 
 
 # ----------------------------------------------------------------------------- an exercise's checks
@@ -86,16 +88,21 @@ class Ask:
         return self.random.uniform(low, high)
 
     def log_uniform(self, low, high):
-        return math.exp(self.random.uniform(math.log(low), math.log(high)))
+        """Its logarithm is uniform. Computed in decimals: the same bits with every C library."""
+        share = Decimal(self.random.random())
+        ratio = CONTEXT.divide(Decimal(high), Decimal(low))
+        power = CONTEXT.exp(CONTEXT.multiply(share, CONTEXT.ln(ratio)))
+        return float(CONTEXT.multiply(Decimal(low), power))
 
     def sign(self):
         return self.random.choice((-1.0, 1.0))
 
     def direction(self):
         """A unit vector, all directions alike."""
-        z, angle = self.random.uniform(-1, 1), self.random.uniform(0, 2 * math.pi)
-        r = math.sqrt(1 - z * z)
-        return r * math.cos(angle), r * math.sin(angle), z
+        while True:
+            v = tuple(self.random.uniform(-1, 1) for _ in range(3))
+            if 0.1 < norm(v) < 1:
+                return scale(1 / norm(v), v)
 
     # ------------------------------------------------------------------------ evaluation
 
@@ -213,6 +220,10 @@ class Ask:
 
 # ---------------------------------------------------------------------------------- exercises
 
+class Mistake(Exception):
+    """The command line asks for something that is not there; the text says what to try."""
+
+
 class BadExercise(Exception):
     """An exercise that breaks the rules of AUTHORING.md; the text says which file and why."""
 
@@ -297,28 +308,33 @@ def find_exercises(top):
 # ---------------------------------------------------------------------------------- grading
 
 class Line:
-    """A line of a score sheet."""
+    """A line of a score sheet. check: None for `builds`; problem: why there is no outcome."""
 
-    def __init__(self, name, category, points, maximum, outcome=None, problem="", one_check=None):
-        self.name, self.category, self.points, self.maximum = name, category, points, maximum
-        self.outcome, self.problem, self.check = outcome, problem, one_check
-        self.printed = ""
+    def __init__(self, maximum, points=0, check=None, seed=1, outcome=None, problem="", printed=""):
+        self.name = check.name if check else "builds"
+        self.category = check.category if check else "builds"
+        self.check, self.points, self.maximum, self.seed = check, points, maximum, seed
+        self.outcome, self.problem, self.printed = outcome, problem, printed
+
+    @property
+    def full(self):
+        return self.points == self.maximum
 
 
 class Sheet:
     """The score of one answer: a Line for `builds` and one for every check."""
 
-    def __init__(self, exercise, seed, lines, said):
-        self.exercise, self.seed, self.lines, self.said = exercise, seed, lines, said
+    def __init__(self, exercise, seeds, lines, said):
+        self.exercise, self.seeds, self.lines, self.said = exercise, seeds, lines, said
 
     @property
     def points(self):
         return round(sum(line.points for line in self.lines), 1)
 
     def as_dict(self):
-        """For --json and for tests."""
-        return {"exercise": self.exercise.slug, "seed": self.seed, "points": self.points,
-                "maximum": sum(CATEGORIES.values()), "compiler": self.said,
+        """The sheet as numbers and texts."""
+        return {"exercise": self.exercise.slug, "title": self.exercise.title, "seeds": self.seeds,
+                "points": self.points, "maximum": sum(CATEGORIES.values()), "compiler": self.said,
                 "checks": [{"name": x.name, "category": x.category, "points": x.points,
                             "maximum": x.maximum, "feedback": feedback(x, self)}
                            for x in self.lines]}
@@ -327,64 +343,69 @@ class Sheet:
 def run_check(exercise, one_check, seed, start):
     """One check in its own process; a Line."""
     ask = Ask(exercise, one_check, seed, start)
+    worst, problem = None, ""
     try:
         outcomes = one_check.evaluate(ask)
-        outcomes = outcomes if isinstance(outcomes, list) else [outcomes]
-        worst = max(outcomes, key=lambda o: o.error)
-        points = round(one_check.points * credit(worst.error, one_check.tol, one_check.sharp), 1)
-        line = Line(one_check.name, one_check.category, points, one_check.points, worst,
-                    one_check=one_check)
-    except Lost as problem:
-        line = Line(one_check.name, one_check.category, 0, one_check.points, None, str(problem),
-                    one_check)
-    except (ArithmeticError, ValueError) as problem:
-        line = Line(one_check.name, one_check.category, 0, one_check.points, None,
-                    f"the results are far out of range ({problem})", one_check)
+        worst = max(outcomes if isinstance(outcomes, list) else [outcomes], key=lambda o: o.error)
+    except Lost as lost:
+        problem = str(lost)
+    except (ArithmeticError, ValueError) as lost:
+        problem = f"the results are far out of range ({lost})"
     finally:
         ask.close()
-    line.printed = ask.printed.decode(errors="replace")
-    return line
+    share = credit(worst.error, one_check.tol, one_check.sharp) if worst else 0.0
+    return Line(one_check.points, round(one_check.points * share, 1), one_check, seed, worst,
+                problem, ask.printed.decode(errors="replace"))
 
 
-def grade(exercise, answer, build, compiler, seed=1, only=None, threads=1, jobs=2):
-    """Builds and checks one answer; a Sheet. only: names of the checks to run, default all."""
+def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, jobs=2):
+    """Builds and checks one answer (a path); a Sheet.
+
+    build: directory for compiled files; seeds: of the random inputs, the worst result counts; only:
+    names of the checks to run, default all; threads: that the answer may use; jobs: checks at a
+    time.
+    """
     chosen = [c for c in exercise.checks if not only or c.name in only]
     limits = {**exercise.limits, "threads": threads}
     with Workshop(compiler, build) as shop:
         program, said = shop.program(exercise, answer)
-        sandbox = shop.sandbox()
-        built = Line("builds", "builds", CATEGORIES["builds"] if program else 0,
-                     CATEGORIES["builds"], None, "" if program else "it does not compile")
         if not program:
-            lines = [Line(c.name, c.category, 0, c.points, None, "not run", c) for c in chosen]
-            return Sheet(exercise, seed, [built, *lines], said)
+            lines = [Line(CATEGORIES["builds"], problem="it does not compile")]
+            lines += [Line(c.points, check=c, problem="not run") for c in chosen]
+            return Sheet(exercise, seeds, lines, said)
+        start = partial(Runner, shop.sandbox(), program, limits)
         with ThreadPoolExecutor(jobs) as pool:
-            start = partial(Runner, sandbox, program, limits)
-            lines = list(pool.map(lambda c: run_check(exercise, c, seed, start), chosen))
-    return Sheet(exercise, seed, [built, *lines], said)
+            every = [list(pool.map(lambda c, s=seed: run_check(exercise, c, s, start), chosen))
+                     for seed in seeds]
+    worst = [min(lines, key=lambda x: x.points) for lines in zip(*every)]
+    return Sheet(exercise, seeds, [Line(CATEGORIES["builds"], CATEGORIES["builds"]), *worst], said)
+
+
+def printable(text):
+    """Text without the characters that no report can hold."""
+    return "".join(c if c.isprintable() else "?" for c in text)
 
 
 def feedback(line, sheet):
     """Why points are missing and what to do: a list of texts; empty at full points."""
-    if line.points == line.maximum or line.problem == "not run":
+    if line.full or line.problem == "not run":
         return []
-    if line.category == "builds":
-        return ["the answer does not compile:", *sheet.said.splitlines()[:12]]
+    if not line.check:
+        return [printable(x) for x in ["the answer does not compile:",
+                                       *sheet.said.splitlines()[:12]]]
     one, out, texts = line.check, line.outcome, [line.check.title]
-    if line.problem:
-        texts.append(line.problem)
-    else:
+    if out:
         unit = f" {one.unit}" if one.unit else ""
-        texts.append(f"measured: {out.measured}{unit}")
         band = f"; error {out.error:.2g}, allowed {one.tol:.2g}" if one.tol else ""
-        texts.append(f"expected: {out.expected}{unit}{band}")
-        if out.at:
-            texts.append(f"at: {out.at}")
-    cause = (out and out.cause) or ("" if line.problem else one.cause)
-    if cause:
-        texts.append(f"likely cause: {cause}")
+        texts += [f"measured: {out.measured}{unit}", f"expected: {out.expected}{unit}{band}"]
+        texts += [f"at: {out.at}"] if out.at else []
+        cause = out.cause or one.cause
+        texts += [f"likely cause: {cause}"] if cause else []
+    else:
+        texts.append(line.problem)
     if line.printed:
         texts.append(f"it printed: {line.printed.splitlines()[0][:70]}")
+    public = line.seed in PUBLIC_SEEDS
     texts.append(f"again: ./dem grade {sheet.exercise.number} --check {line.name}"
-                 f" --seed {sheet.seed}")
-    return texts
+                 + (f" --seed {line.seed}" if public else "   (this was with hidden inputs)"))
+    return [printable(x) for x in texts]

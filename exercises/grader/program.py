@@ -160,6 +160,8 @@ class Runner:
         except (ProcessLookupError, PermissionError):
             pass
         self.process.wait()
+        while len(self.printed) < OUTPUT_KEPT and self.keep_output():
+            pass
         self.process.stdout.close()
         os.close(self.to), os.close(self.back)
         self.empty.cleanup()
@@ -211,7 +213,8 @@ class Runner:
         if events or not self.paused():
             self.waited += min(time.monotonic() - start, 2 * SLICE)
         if self.waited > self.limits["wall"]:
-            raise Lost(f"kept the grader waiting for {self.limits['wall']} s and was ended")
+            raise Lost(f"kept the grader waiting for {self.limits['wall']} s (an endless "
+                       "loop?) and was ended")
         return events
 
     def length(self, got):
@@ -234,8 +237,11 @@ class Runner:
         return os.read(file, 1 << 16)
 
     def keep_output(self):
-        """Takes what the answer prints (stdout and stderr); False at its end."""
-        chunk = self.read(self.process.stdout.fileno())
+        """Takes what the answer prints (stdout and stderr); False if there is no more."""
+        try:
+            chunk = self.read(self.process.stdout.fileno())
+        except BlockingIOError:
+            return False
         self.printed = (self.printed + chunk)[:OUTPUT_KEPT]
         return bool(chunk)
 

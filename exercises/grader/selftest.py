@@ -28,7 +28,7 @@ def promised(path):
 
 def lost(sheet):
     """What an answer has lost: {check: "all" or "some"}."""
-    return {x.name: "some" if x.points else "all" for x in sheet.lines if x.points < x.maximum}
+    return {x.name: "some" if x.points else "all" for x in sheet.lines if not x.full}
 
 
 def mismatch(kind, sheet, promise):
@@ -62,7 +62,7 @@ def test(exercise, build, compiler, options):
     known = ["builds"] + [c.name for c in exercise.checks]
     killed = dict.fromkeys(known, "")
     for name, kind, path, promise in subjects(exercise):
-        sheet = course.grade(exercise, path, build, compiler, options.seed,
+        sheet = course.grade(exercise, path, build, compiler, [options.seed],
                              threads=options.threads, jobs=options.jobs)
         unknown = [c for c in promise if c not in known]
         text = f"there is no check {unknown}" if unknown else mismatch(kind, sheet, promise)
