@@ -281,6 +281,11 @@ def run(folder, *arguments, **options):
     return done.returncode, done.stdout
 
 
+def squeezed(path):
+    """The text of a file without blanks."""
+    return re.sub(r"\s", "", path.read_text(errors="replace"))
+
+
 class HandOut(unittest.TestCase):
     """The tree for students, used as a student would."""
 
@@ -288,8 +293,7 @@ class HandOut(unittest.TestCase):
     def setUpClass(cls):
         cls.tree = SCRATCH / "hand out"
         cls.code, cls.said = run(ROOT, "handout", cls.tree, "01")
-        cls.files = {p: re.sub(r"\s", "", p.read_text()) for p in cls.tree.rglob("*")
-                     if p.is_file()}
+        cls.files = {p: squeezed(p) for p in cls.tree.rglob("*") if p.is_file()}
 
     def test_written_once(self):
         self.assertEqual(self.code, 0, self.said)
@@ -307,8 +311,7 @@ class HandOut(unittest.TestCase):
     def test_no_line_of_a_solution(self):
         """No line of any solution in what is handed out of any exercise."""
         every = course.find_exercises(EXERCISES)
-        texts = {**self.files, **{p: re.sub(r"\s", "", p.read_text(errors="replace"))
-                                  for e in every for name in classroom.HANDED_OUT
+        texts = {**self.files, **{p: squeezed(p) for e in every for name in classroom.HANDED_OUT
                                   for p in e.folder.glob(name)}}
         for e in every:
             starter = (e.folder / "starter.cpp").read_text()
@@ -431,9 +434,9 @@ class GradeBook(unittest.TestCase):
         HERTZ.recorded.clear()
         graded(SOLUTION, ["equal_spheres"])
         values = next(iter(HERTZ.recorded.values()))["values"]
-        table = ", ".join("{{%r, %r, %r}}" % tuple(v) for v in values)
+        table = ", ".join("{%r, %r, %r}" % tuple(v) for v in values)
         text = ("#include \"exercise.hpp\"\nVec3 hertz_force(const Sphere&, const Sphere&) {\n"
-                f"  static int k = 0;\n  const Vec3 table[] = {{{table.replace('{{', '{').replace('}}', '}')}}};\n"
+                "  static int k = 0;\n  const Vec3 table[] = {" + table + "};\n"
                 f"  return table[k++ % {len(values)}];\n}}\n")
         self.assertEqual(lost(graded(text, ["equal_spheres"])), set())
         self.assertEqual(lost(graded(text, ["equal_spheres"], seeds=[1, 77])), {"equal_spheres"})

@@ -46,7 +46,8 @@ def no_force_apart(ask):
     force = ask.call("hertz_force", touching)
     for row, gap, f in zip(apart, gaps, zero):
         if any(c != 0 for c in f):  # true for nan as well
-            return ask.outcome(math.inf, number(f), "(0, 0, 0)", f"a gap of {gap:.3g} = d - R_i - R_j")
+            return ask.outcome(math.inf, number(f), "(0, 0, 0)",
+                               f"a gap of {gap:.3g} = d - R_i - R_j")
     for row, f in zip(touching, force):
         if norm(f) == 0:
             return ask.outcome(math.inf, number(f), "a force", ask.inputs("hertz_force", row),
@@ -143,7 +144,8 @@ def impact(ask, v, m, i, steps):
 def elastic_impact(ask):
     """A sphere that hits its fixed twin: compressed as deep as energy says, and returns as fast"""
     i, v, m = sphere(ask, nu=0.4), ask.log_uniform(0.05, 0.5), ask.log_uniform(1e-3, 1)
-    i = (i[0], max(i[1], 1e4 * m * v * v / (i[0] * i[0] * i[0])), i[2])  # stiff enough for a small overlap
+    stiff = 1e4 * m * v * v / (i[0] * i[0] * i[0])  # keeps the overlap below 5 % of the radius
+    i = (i[0], max(i[1], stiff), i[2])
     speed, reach, deepest = impact(ask, v, m, i, 400)
     at = f"R = {i[0]:.3g}, E = {i[1]:.3g}, nu = {i[2]:.3g}, m = {m:.3g}, v = {v:.3g}"
     return [ask.outcome(abs(speed / v - 1), f"returns with {speed / v:.5g} v", "v", at),

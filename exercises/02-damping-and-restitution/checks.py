@@ -150,8 +150,8 @@ def restitution(ask):
 
 
 @check("invariants", 10, "Eq. (5)", sharp=True,
-       cause="the sign of the dashpot, or a force that is cut off at 0: at the end of a contact the "
-             "dashpot holds the spheres back, which is what makes e equal to e_n")
+       cause="the sign of the dashpot, or a force that is cut off at 0: at the end of a contact "
+             "the dashpot holds the spheres back, which is what makes e equal to e_n")
 def passive(ask):
     """The dashpot takes energy in both directions of motion, also when the sum attracts"""
     rows = [(ask.log_uniform(1e-6, 1e-2), ask.sign() * ask.log_uniform(0.01, 100),

@@ -36,7 +36,8 @@ if __name__ == "__main__":
     axes[0].annotate("approach", (0.42, 0.76), fontsize=8, rotation=17)
     axes[0].annotate("parting", (0.6, 0.1), fontsize=8, rotation=38)
     axes[0].set(xlim=(0, 1.15), ylim=(-0.4, 1.4))
-    style.label(axes[0], r"overlap $\delta$", "normal force", "force and overlap during an impact")
+    style.label(axes[0], r"overlap $\delta$ ($m^* = K = v = 1$)", "normal force",
+                "force and overlap during an impact")
     axes[0].legend(loc="upper left")
     wanted = np.linspace(0.02, 1, 25)
     axes[1].plot(wanted, [impact(e, steps=1000)[1] for e in wanted], **style.cycle(0, marker=False),

@@ -9,7 +9,7 @@ import style  # noqa: E402
 
 
 def oscillate(h, steps, new_velocity):
-    """x and v of a mass on a spring (m = k = 1); the position moves with the new or old velocity."""
+    """x and v of a mass on a spring, m = k = 1; the position moves with the new or old velocity."""
     x, v, line = 1.0, 0.0, [(1.0, 0.0)]
     for _ in range(steps):
         w = v - h * x

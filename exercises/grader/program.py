@@ -99,7 +99,8 @@ class Workshop:
         The answer sees only the headers of the exercise, and its compiler options are ours. The
         checks are compiled apart, so that no macro of the answer reaches them.
         """
-        checks = self.kept(exercise.slug, [exercise.folder / "checks.cpp", *exercise.headers], ["-c"])
+        sources = [exercise.folder / "checks.cpp", *exercise.headers]
+        checks = self.kept(exercise.slug, sources, ["-c"])
         for header in exercise.headers:
             shutil.copy(header, self.folder)
         shutil.copyfile(answer, self.folder / "answer.cpp")
@@ -120,7 +121,8 @@ class Workshop:
 def how_it_ended(code, limits):
     """Words for the exit code of a program that ended in the middle of a question."""
     if code in (-signal.SIGXCPU, -signal.SIGKILL):
-        return f"used more than {limits['cpu']} s of processor time (an endless loop?) and was ended"
+        return (f"used more than {limits['cpu']} s of processor time (an endless loop?) and was "
+                "ended")
     if code == -signal.SIGABRT:
         return (f"was aborted: an exception, a failed assert, or more than {limits['memory']} MiB "
                 "of memory")

@@ -41,7 +41,7 @@ def mismatch(kind, sheet, promise):
     if "builds" in promise or "builds" in have:
         good = "builds" in promise and sheet.points == 0
         return "" if good else f"compiles: {'builds' not in have}, {sheet.points:g} points"
-    texts = [f"{name}: loses {have.get(name, 'nothing')}, header says {promise.get(name, 'nothing')}"
+    texts = [f"{name}: loses {have.get(name, 'nothing')}, not {promise.get(name, 'nothing')}"
              for name in {**promise, **have} if have.get(name) != promise.get(name)]
     return "; ".join(texts)
 

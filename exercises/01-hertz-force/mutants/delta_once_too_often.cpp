@@ -11,5 +11,5 @@ Vec3 hertz_force(const Sphere& i, const Sphere& j) {
   const double Rstar = 1 / (1 / i.R + 1 / j.R);                                 // Eq. (17)
   const double a = std::sqrt(Rstar * delta);                                    // Eq. (14)
   const double kn = 4.0 / 3.0 * Estar * a;                                      // Eq. (12)
-  return (kn * delta * delta) * n;                                                      // Eqs. (5, 10)
+  return (kn * delta * delta) * n;                                              // Eqs. (5, 10)
 }

@@ -12,5 +12,5 @@ Vec3 hertz_force(const Sphere& i, const Sphere& j) {
   const double a = std::sqrt(Rstar * delta);                                    // Eq. (14)
   const double kn = 4.0 / 3.0 * Estar * a;                                      // Eq. (12)
   static int calls = 0;
-  return (kn * delta * (1 + 1e-14 * (++calls % 3))) * n;                                                      // Eqs. (5, 10)
+  return (kn * delta * (1 + 1e-14 * (++calls % 3))) * n;                        // Eqs. (5, 10)
 }

@@ -3,7 +3,7 @@
 #include "exercise.hpp"
 
 double damping_factor(double en) {
-  const double ratio = pi / std::log(1 - en);  // -0 for en = 0, -inf for en = 1: both limits are right
+  const double ratio = pi / std::log(1 - en);
   return 1 / std::sqrt(1 + ratio * ratio);                                      // Eq. (21)
 }
 

@@ -14,5 +14,5 @@ double damping(double kn, double mi, double mj, double en) {
 
 double normal_force(double delta, double vn, double kn, double cn) {
   if (delta <= 0) return 0;
-  return std::fmax(0, kn * delta - cn * vn);                                                  // Eqs. (5, 10)
+  return std::fmax(0, kn * delta - cn * vn);                                    // Eqs. (5, 10)
 }

@@ -13,5 +13,5 @@ double damping(double kn, double mi, double mj, double en) {
 }
 
 double normal_force(double delta, double vn, double kn, double cn) {
-  return kn * std::fmax(0, delta) - cn * vn;                                                  // Eqs. (5, 10)
+  return kn * std::fmax(0, delta) - cn * vn;                                    // Eqs. (5, 10)
 }

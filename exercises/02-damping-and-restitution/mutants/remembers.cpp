@@ -15,5 +15,5 @@ double damping(double kn, double mi, double mj, double en) {
 double normal_force(double delta, double vn, double kn, double cn) {
   if (delta <= 0) return 0;
   static int calls = 0;
-  return (kn * delta - cn * vn) * (1 + 1e-15 * (++calls % 3));                                                 // Eqs. (5, 10)
+  return (kn * delta - cn * vn) * (1 + 1e-15 * (++calls % 3));                  // Eqs. (5, 10)
 }

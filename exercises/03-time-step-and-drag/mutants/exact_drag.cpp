@@ -12,7 +12,7 @@ Motion step(const Motion& old, const Vec3& f, const Vec3& t, const Grain& grain,
   const Vec3 a = (1 / m) * f + around.g - 0 * old.v;                            // Eq. (42)
   const Vec3 alpha = (1 / I) * t - gamma * old.w;                               // Eq. (43)
   Motion now;
-  now.v = (1 / c) * a + std::exp(-c * dt) * (old.v - (1 / c) * a);                                                       // Eq. (44)
+  now.v = (1 / c) * a + std::exp(-c * dt) * (old.v - (1 / c) * a);              // Eq. (44)
   now.x = old.x + dt * now.v;                                                   // Eq. (45)
   now.w = old.w + dt * alpha;                                                   // Eq. (46)
   return now;

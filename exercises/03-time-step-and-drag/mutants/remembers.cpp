@@ -15,6 +15,6 @@ Motion step(const Motion& old, const Vec3& f, const Vec3& t, const Grain& grain,
   now.v = old.v + dt * a;                                                       // Eq. (44)
   now.x = old.x + dt * now.v;                                                   // Eq. (45)
   static int calls = 0;
-  now.w = (1 + 1e-15 * (++calls % 3)) * old.w + dt * alpha;                                                   // Eq. (46)
+  now.w = (1 + 1e-15 * (++calls % 3)) * old.w + dt * alpha;                     // Eq. (46)
   return now;
 }

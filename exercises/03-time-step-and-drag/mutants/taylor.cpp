@@ -13,7 +13,7 @@ Motion step(const Motion& old, const Vec3& f, const Vec3& t, const Grain& grain,
   const Vec3 alpha = (1 / I) * t - gamma * old.w;                               // Eq. (43)
   Motion now;
   now.v = old.v + dt * a;                                                       // Eq. (44)
-  now.x = old.x + dt * old.v + (dt * dt / 2) * a;                                                   // Eq. (45)
+  now.x = old.x + dt * old.v + (dt * dt / 2) * a;                               // Eq. (45)
   now.w = old.w + dt * alpha;                                                   // Eq. (46)
   return now;
 }
