@@ -112,6 +112,12 @@ class Hostile(unittest.TestCase):
         self.assertIn("waiting", told(sheet, "no_force_apart"))
         self.assertLess(time.monotonic() - start, 60)
 
+    def test_an_answer_that_always_hangs_is_graded_soon(self):
+        text = spoiled("pause();", "#include <unistd.h>\n")
+        start = time.monotonic()
+        self.assertEqual(graded(text).points, 5)
+        self.assertLess(time.monotonic() - start, 40)  # 10 s on an idle machine
+
     def test_memory_bomb(self):
         text = spoiled("if (i.R != j.R) for (std::vector<double> v(1 << 20);; v.resize(2 * "
                        "v.size())) {}", "#include <vector>\n")

@@ -8,16 +8,15 @@ import re
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from decimal import Context, Decimal
-from functools import partial
 from pathlib import Path
 
-from .program import Lost, Runner, Workshop, finite
+from .program import Lost, Starter, Workshop, finite
 from .vec import norm, scale, sub
 
 #: Points of every exercise, by category.
 CATEGORIES = {"builds": 5, "contract": 10, "pointwise": 35, "invariants": 25, "convergence": 15,
               "clean": 10}
-LIMITS = {"cpu": 2, "memory": 1024, "wall": 5, "threads": 1}
+LIMITS = {"cpu": 2, "memory": 1024, "wall": 4, "threads": 1}
 PUBLIC_SEEDS = (1, 2, 3, 4)
 CONTEXT = Context(prec=25)
 
@@ -131,7 +130,10 @@ class Ask:
             results = self.runner.ask(name, rows)
         except Lost as problem:
             self.close()
-            raise Lost(f"{name}: the program {problem}{self.guilty(name, rows)}") from None
+            if problem.late:
+                self.start.lose_patience()
+            where = "" if problem.late else self.guilty(name, rows)
+            raise Lost(f"{name}: the program {problem}{where}") from None
         for row, result in zip(rows, results):
             if outputs and len(result) != len(outputs):
                 raise RuntimeError(f"{name} returns {len(result)} numbers, not {outputs}")
@@ -373,7 +375,7 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
             lines = [Line(CATEGORIES["builds"], problem="it does not compile")]
             lines += [Line(c.points, check=c, problem="not run") for c in chosen]
             return Sheet(exercise, seeds, lines, said)
-        start = partial(Runner, shop.sandbox(), program, limits)
+        start = Starter(shop.sandbox(), program, limits)
         with ThreadPoolExecutor(jobs) as pool:
             every = [list(pool.map(lambda c, s=seed: run_check(exercise, c, s, start), chosen))
                      for seed in seeds]

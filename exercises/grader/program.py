@@ -21,7 +21,11 @@ OUTPUT_KEPT = 2000  # characters of what an answer prints
 
 
 class Lost(Exception):
-    """The answer gave no usable numbers; the text says why."""
+    """The answer gave no usable numbers; the text says why. late: it used up its time."""
+
+    def __init__(self, text, late=False):
+        super().__init__(text)
+        self.late = late
 
 
 # ---------------------------------------------------------------------------------- building
@@ -119,16 +123,33 @@ class Workshop:
 # ----------------------------------------------------------------------------------- running
 
 def how_it_ended(code, limits):
-    """Words for the exit code of a program that ended in the middle of a question."""
+    """Lost, for the exit code of a program that ended in the middle of a question."""
     if code in (-signal.SIGXCPU, -signal.SIGKILL):
-        return (f"used more than {limits['cpu']} s of processor time (an endless loop?) and was "
-                "ended")
+        return Lost(f"used more than {limits['cpu']} s of processor time (an endless loop?) and "
+                    "was ended", late=True)
     if code == -signal.SIGABRT:
-        return (f"was aborted: an exception, a failed assert, or more than {limits['memory']} MiB "
-                "of memory")
+        return Lost(f"was aborted: an exception, a failed assert, or more than {limits['memory']} "
+                    "MiB of memory")
     if code < 0:
-        return f"crashed: {signal.strsignal(-code) or 'signal'} ({signal.Signals(-code).name})"
-    return f"ended the program itself (exit code {code}) before it gave an answer"
+        return Lost(f"crashed: {signal.strsignal(-code) or 'signal'} "
+                    f"({signal.Signals(-code).name})")
+    return Lost(f"ended the program itself (exit code {code}) before it gave an answer")
+
+
+class Starter:
+    """Starts Runners of one program, a process each. After an answer has used up its time once,
+    the next ones get less of it, so that an answer that always hangs is graded in 10 s."""
+    IMPATIENT = {"cpu": 1, "wall": 1.5}
+
+    def __init__(self, sandbox, program, limits):
+        self.sandbox, self.program, self.limits = sandbox, program, dict(limits)
+
+    def __call__(self):
+        return Runner(self.sandbox, self.program, dict(self.limits))
+
+    def lose_patience(self):
+        for name, value in self.IMPATIENT.items():
+            self.limits[name] = min(value, self.limits[name])
 
 
 class Runner:
@@ -200,7 +221,7 @@ class Runner:
                         chunk = self.read(self.back)
                         got += chunk
                         if not chunk:
-                            raise Lost(self.post_mortem())
+                            raise self.post_mortem()
                     elif not self.keep_output():
                         files.unregister(self.process.stdout)
         header = self.REPLY.unpack(got[:self.REPLY.size])
@@ -216,7 +237,7 @@ class Runner:
             self.waited += min(time.monotonic() - start, 2 * SLICE)
         if self.waited > self.limits["wall"]:
             raise Lost(f"kept the grader waiting for {self.limits['wall']} s (an endless "
-                       "loop?) and was ended")
+                       "loop?) and was ended", late=True)
         return events
 
     def length(self, got):
@@ -232,7 +253,7 @@ class Runner:
         except BlockingIOError:
             return request
         except BrokenPipeError:
-            raise Lost(self.post_mortem()) from None
+            raise self.post_mortem() from None
 
     @staticmethod
     def read(file):
@@ -256,11 +277,11 @@ class Runner:
         return state in "Tt"
 
     def post_mortem(self):
-        """Why the program is gone."""
+        """Lost: why the program is gone."""
         try:
             code = self.process.wait(self.limits["wall"])
         except subprocess.TimeoutExpired:
-            return "closed the connection to the grader"
+            return Lost("closed the connection to the grader")
         return how_it_ended(code, self.limits)
 
 
