@@ -213,6 +213,9 @@ def main():
     except (course.Mistake, course.BadExercise) as problem:
         print(f"dem: {problem}", file=sys.stderr)
         return 2
+    except BrokenPipeError:  # the reader (head, less) has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
 
 
 if __name__ == "__main__":
