@@ -259,6 +259,7 @@ able to fail. {verdict}</p>
 <p><small>Written {date.today().isoformat()} by <code>./dem verify</code>. Equation numbers:
 R. Vetter, Comput. Phys. Commun. (2025) 109942. <code>consistent</code> and <code>paper</code> are
 the two updates of the friction springs, see docs/deviations.md.</small></p>
+{"<p><a href='bench.html'>What a step costs</a></p>" if (folder / "bench.html").exists() else ""}
 <nav><ol><li><a href='#step'>Choose your step</a></li><li><a href='#features'>Feature &times;
 case</a></li><li><a href='#mutants'>Mutant &times; case</a></li>{contents}</ol></nav>
 {summary(cases, folder)}
