@@ -121,8 +121,7 @@ template <class T> struct Approach {
   T delta, R, ri, rj, Rstar, mstar, vn, vt, stiff; Vec<T> n, vs, vr; };
 template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) {
   Approach<T> c;
-  const bool wall = j.R_inv == 0;
-  c.R = select(wall, i.R, min(i.R, j.R));
+  const bool wall = j.R_inv == 0; c.R = select(wall, i.R, min(i.R, j.R));
   c.stiff = select(wall, T(2), T(1));                                           // Eqs. (22, 23)
   const Vec<T> d = i.x - j.x;                                                   // Eq. (8)
   const T distance = norm(d);

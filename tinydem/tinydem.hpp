@@ -24,10 +24,9 @@ extern "C" double sqrt(double) noexcept __attribute__((const));  // sets no errn
 extern "C" float sqrtf(float) noexcept __attribute__((const));   // instruction for many numbers
 namespace tinydem {
 typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or long double
-using std::abs, std::max, std::min, std::size_t, std::sqrt, std::string, std::to_string;
+using std::abs, std::max, std::min, std::size_t, std::string, std::to_string;
 const real pi = real(3.14159265358979323846264338327950288L);
-const real inf = std::numeric_limits<real>::infinity();
-const real unset = std::numeric_limits<real>::quiet_NaN();  ///< stands for "use the formula"
+const real inf = real(HUGE_VAL), unset = real(NAN);  ///< unset stands for "use the formula"
 const char* const version = "0.1.0";
 /// std::vector with indices of any type of whole number.
 template <class T> struct vector : std::vector<T> {
@@ -38,6 +37,8 @@ template <class T> struct vector : std::vector<T> {
 template <class V> int count(const V& v) { return int(v.size()); }
 typedef vector<real> Reals;
 // ---------------------------------------------------------------------------------- numbers
+template <class T> INLINE T sqrt(T a) {
+  return sizeof a == 4 ? T(sqrtf(float(a))) : sizeof a == 8 ? T(::sqrt(double(a))) : std::sqrt(a); }
 /// Three components; T is the type of one number.
 template <class T> struct Vec {
   T x{}, y{}, z{};
