@@ -369,9 +369,9 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin;
 /// Sorts particles. Their reach is the radius and what they cover until the list is built anew;
 /// `horizon` balances the cost of building against that of idle pairs.
 void Simulation::sort_particles() {
-  constexpr double build = 200, carry = 1.5;  // measured [ns]: per particle, per idle pair and step
+  constexpr double build = 100;  // a list costs, per particle, as much as so many idle pairs a step
   double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
-  const bool early = build * size() > carry * idle * double(steps - listed_at);
+  const bool early = build * size() > idle * double(steps - listed_at);
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
   const real mean = radii / real(max(size(), 1));
   const auto slack = [&](real speed) { return horizon * (mean / 50 + 10 * p.dt * speed); };
