@@ -50,7 +50,8 @@ template <class Modes> void count_contact(const string& name) {
   typedef Counted T;
   const Parameters p = resolve();
   const Material<real> m = material_of<real>(p);
-  const Material<T> mat{m.Estar, m.Gstar, m.beta, m.cs_cn, m.mus, m.mur, m.mut, m.dt};
+  const Material<T> mat{m.Estar, m.Gstar, m.beta, m.cs_cn, m.kn_ks, m.mus, m.mur, m.mut,
+                        m.dt};
   const Body<T> i{{T(0.0), T(0.0), T(0.0)}, 0.005, {T(0.1), T(0.0), T(0.2)}, 1900.0,
                   {T(1.0), T(2.0), T(3.0)}, 200.0};
   const Body<T> j{{T(0.0), T(0.0), T(0.0099)}, 0.005, {T(0.0), T(0.0), T(0.0)}, 1900.0,
