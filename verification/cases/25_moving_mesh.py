@@ -71,7 +71,7 @@ def draw_circles(ax, rows):
                 textcoords="offset points", fontsize=7.5)
     ax.set_aspect("equal", adjustable="datalim")
     style.label(ax, "x (m)", "y (m)", "rolling on a turntable, seen at rest")
-    ax.set_ylim(-0.09, 0.17)
+    ax.set_ylim(-0.11, 0.17)
     ax.legend(loc="upper center", ncol=2)
 
 
