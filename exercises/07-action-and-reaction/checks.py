@@ -204,7 +204,7 @@ def angular_momentum(ask):
     return conserved(ask, Clump.angular_momentum, "angular momentum")
 
 
-@check("invariants", 6, "power: f_n v_n + f_s v_s + (R*/r) f_r v_r + f_t v_t", tol=1e-11, unit="W",
+@check("invariants", 6, "power: f_n v_n + f_s v_s + (R*/r) f_r v_r + f_t v_t", tol=1e-12, unit="W",
        cause="a torque with the wrong sign or lever: it drives what friction should stop")
 def power(ask):
     """The work on both bodies is that of the forces along the motion at the contact"""
@@ -241,7 +241,7 @@ def exchange(ask):
     return outcomes
 
 
-@check("convergence", 15, "Eqs. (31), (60) and I = 8/15 pi rho R^5", tol=1e-9,
+@check("convergence", 15, "Eqs. (31), (60) and I = 8/15 pi rho R^5", tol=1e-12,
        cause="the lever of j: its sliding torque is r_j f_s x n. Slope -5: that of i; -6: r_i/r_j "
              "instead of r_j/r_i")
 def size_law(ask):
