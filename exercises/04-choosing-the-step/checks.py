@@ -120,7 +120,7 @@ def units(ask):
 
 
 def compression_time(K, v, n=400):
-    """Time until the deepest overlap, delta'' = -K delta^(3/2), with the method of Runge and Kutta."""
+    """Time until the deepest overlap, delta'' = -K delta^(3/2), with Runge and Kutta."""
     h, delta, w, t = (v * v / K) ** 0.4 / v / n, 0.0, v, 0.0
 
     def rates(d, u):
@@ -170,8 +170,8 @@ def order(ask):
 
 
 @check("convergence", 8, "least work for an asked error", sharp=True,
-       cause="too few steps miss the asked error, more than needed cost time: the first of 4, 5, 6, "
-             "... whose root mean square over the 16 phases is not above it")
+       cause="too few steps miss the asked error, more than needed cost time: the first of 4, 5, "
+             "6, ... whose root mean square over the 16 phases is not above it")
 def cheapest(ask):
     """The fewest steps per contact that keep an asked error of the restitution"""
     rows = [(ask.uniform(0.3, 0.95), ask.log_uniform(0.003, 0.04)) for _ in range(12)]

@@ -17,8 +17,9 @@ double default_step(const Material& material, const Sizes& sizes);
 /// How long two equal spheres of radius R [L] touch that meet head-on with the relative speed v
 /// [L/T], without damping [T].
 double contact_time(const Material& material, double R, double v);
-/// Rebound speed / impact speed of the model impact in README.md, with the restitution en, in `steps`
-/// time steps per elastic contact time. phase: part of a step between first touch and its end.
+/// Rebound speed / impact speed of the model impact in README.md, with the restitution en, in
+/// `steps` time steps per elastic contact time. phase: part of a step between first touch and its
+/// end.
 double restitution(double en, double steps, double phase);
 /// The smallest whole number of steps, 4 or more, whose error of the restitution is not above
 /// `error`: the root of the mean square over the phases 1/16, 2/16, ... 1.

@@ -22,7 +22,7 @@ double restitution(double en, double steps, double phase) {
   double v = -1, delta = phase * dt;
   while (delta > 0) {
     const double kn = std::sqrt(delta), cn = std::sqrt(5 * kn) * beta;          // Eq. (18)
-    v += dt * std::fmax(0, kn * delta - cn * v);                                           // Eq. (44)
+    v += dt * std::fmax(0, kn * delta - cn * v);                              // Eq. (44)
     delta -= dt * v;                                                            // Eq. (45)
   }
   return v;
