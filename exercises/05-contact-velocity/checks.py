@@ -1,7 +1,7 @@
 """Exercise 05: velocity at the contact point."""
 import math
 
-from grader.course import check
+from grader.course import check, number
 from grader.vec import add, cross, dot, norm, scale, sub
 
 TITLE = "Velocity at the contact point"
@@ -64,7 +64,8 @@ def tangential(ask):
     central = []
     for row in rows:
         n, _ = line(row)
-        central.append(moving(row, scale(-norm(row[4:7]), n), ZERO, scale(norm(row[14:17]), n), ZERO))
+        vi, vj = scale(-norm(row[4:7]), n), scale(norm(row[14:17]), n)
+        central.append(moving(row, vi, ZERO, vj, ZERO))
     for row, m in zip(central, ask.call("contact_velocity", central)):
         outcomes.append(ask.outcome(norm(m[VS]) / speed(row), f"|v_s| = {norm(m[VS]):.3g} m/s",
                                     "0 m/s", "a central impact without spin"))
@@ -168,8 +169,8 @@ def observers(ask):
     def compare(view, others, expected):
         for row, m, want in zip(rows, ask.call("contact_velocity", others), expected):
             outcomes.append(ask.outcome(norm(sub(m[2:], want)) / speed(row),
-                                        "v_n, v_s = ({:.5g}, {:.5g}, {:.5g}, {:.5g})".format(*m[2:]),
-                                        "({:.5g}, {:.5g}, {:.5g}, {:.5g})".format(*want), view))
+                                        f"v_n = {m[2]:.5g}, v_s = {number(m[VS])}",
+                                        f"{want[0]:.5g}, {number(want[1:])}", view))
     V, x0 = vector(ask, 5), vector(ask, 0.5)
     compare("a train, and another origin", [
         (*add(r[0:3], x0), r[3], *add(r[4:7], V), *r[7:10], *add(r[10:13], x0), r[13],

@@ -9,8 +9,8 @@ def cross(a, b):
 def contact_velocity(*q):
     """r_i, r_j, v_n, v_s. q: x (3 numbers), R, v (3), w (3) of i, then of j.
 
-    The point of i at the contact is -r_i n away from its centre and moves with v_i - w_i x r_i n; the
-    point of j moves with v_j + w_j x r_j n.
+    The point of i at the contact is -r_i n away from its centre and moves with v_i - w_i x r_i n;
+    the point of j moves with v_j + w_j x r_j n.
     """
     xi, Ri, vi, wi = q[0:3], q[3], q[4:7], q[7:10]
     xj, Rj, vj, wj = q[10:13], q[13], q[14:17], q[17:20]

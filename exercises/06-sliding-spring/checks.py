@@ -75,7 +75,7 @@ def limits(ask):
         if across > 1e-12:
             return ask.outcome(across, f"f.n = {dot(f, n):.3g} N, u.n = {dot(u, n):.3g} m", "0, 0",
                                ask.inputs("sliding_force", row),
-                               "the spring is not turned into the plane before it is used, Eq. (52)")
+                               "the spring is not turned into the plane before its use, Eq. (52)")
     return ask.outcome(0 if moved > 8 else math.inf, f"{moved} forces that are not zero",
                        "friction in most of the contacts")
 
@@ -238,8 +238,8 @@ ENERGY = 0.01  # the right answer gains up to 0.0012 at 24 steps per contact, le
              "spring must have the length of the limit, Eq. (55)")
 def no_gain(ask):
     """Elastic impacts at any angle, with any friction: never more energy than before"""
-    cases = [(ask.uniform(0.2, 0.5), 1.0, ask.log_uniform(0.05, 0.7), *tilted(ask.log_uniform(0.1, 10)))
-             for _ in range(200)]
+    cases = [(ask.uniform(0.2, 0.5), 1.0, ask.log_uniform(0.05, 0.7),
+              *tilted(ask.log_uniform(0.1, 10))) for _ in range(200)]
     spheres, vn, _ = impacts(ask, cases, 24)
     ratios = [a * a + b * b + 0.4 * c * c for a, b, c in zip(spheres.vt, vn, spheres.w)]
     k = max(range(len(cases)), key=ratios.__getitem__)

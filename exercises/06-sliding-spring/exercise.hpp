@@ -10,6 +10,6 @@ struct Contact {
   double ks, cs;  // stiffness [M/T^2] and damping [M/T] of the spring
 };
 
-/// The friction force on i in one time step dt [T]. us: the spring [L], as the last step left it, zero
-/// in a new contact; leave it as the next step needs it. Eqs. (6), (11), (52)-(55).
+/// The friction force on i in one time step dt [T]. us: the spring [L], as the last step left it,
+/// zero in a new contact; leave it as the next step needs it. Eqs. (6), (11), (52)-(55).
 Vec3 sliding_force(Vec3& us, const Contact& contact, double mus, double dt);

@@ -1,12 +1,12 @@
-// Writes the table OBLIQUE of reference.py: impacts of a sphere on a plate, integrated by GSL, as in
-// verification case 08. From this folder:
+// Writes the table OBLIQUE of reference.py: impacts of a sphere on a plate, integrated by GSL, as
+// in verification case 08. From this folder:
 //
 //   g++ -std=c++17 -O2 -I../../verification oblique.cpp -o oblique -lgsl -lgslcblas && ./oblique
 //
-// A line holds e_n, mu, the angle in degrees, and after the impact v_t and R w, over the speed before
-// it; E = 1 MPa, nu = 0.3, rho = 1000 kg/m^3, R = 1 cm, 1 m/s. Impacts for which the model has more
-// than one answer are left out (there are none here).
-// Four more are not in the table: their errors fall with the step as well, but not evenly.
+// A line holds e_n, mu, the angle in degrees, and after the impact v_t and R w, over the speed
+// before it; E = 1 MPa, nu = 0.3, rho = 1000 kg/m^3, R = 1 cm, 1 m/s. Impacts for which the model
+// has more than one answer are left out (there are none here). Four more are not in the table:
+// their errors fall with the step as well, but not evenly.
 #include <cstdio>
 
 #include "impact_reference.hpp"

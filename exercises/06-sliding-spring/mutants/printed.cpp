@@ -1,5 +1,5 @@
 // loses: stick slip turning slide_to_roll gross_sliding no_gain oblique_impact
-// Eqs. (53)-(55) as printed: advanced afterwards, in static steps only, and the dashpot in the reset.
+// Eqs. (53)-(55) as printed: advanced afterwards, in static steps only; dashpot in the reset.
 #include "exercise.hpp"
 
 Vec3 sliding_force(Vec3& us, const Contact& contact, double mus, double dt) {
