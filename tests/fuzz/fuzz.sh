@@ -17,6 +17,8 @@ if [ -z "$(find "$program" -newer "$source/tinydem.hpp" -newer "$source/tinydem.
   clang++ $flags -O0 -DTINYDEM_NO_MAIN -D_GLIBCXX_ASSERTIONS -I"$source" -isystem "$eigen" \
     -o "$program" "$here/fuzz_$target.cpp"  # -O0: with sanitizers, -O1 compiles for minutes
 fi
-exec "$program" -max_total_time="$seconds" -rss_limit_mb=1024 -timeout=60 -print_final_stats=1 \
-  -dict="$here/words.dict" -artifact_prefix="$folder/finding_${target}_" \
+# libFuzzer ends with 77 at a finding, which ctest would take for skipped.
+exec "$program" -error_exitcode=1 -max_total_time="$seconds" -rss_limit_mb=1024 \
+  -timeout=60 -print_final_stats=1 -dict="$here/words.dict" \
+  -artifact_prefix="$folder/finding_${target}_" \
   "$folder/corpus_$target" "$here/seeds/$target"
