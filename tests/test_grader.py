@@ -292,6 +292,11 @@ def squeezed(path):
     return re.sub(r"\s", "", path.read_text(errors="replace"))
 
 
+def squeezed_code(line):
+    """A line of C++ without blanks and comment."""
+    return re.sub(r"\s", "", line.split("//")[0])
+
+
 class HandOut(unittest.TestCase):
     """The tree for students, used as a student would."""
 
@@ -320,12 +325,10 @@ class HandOut(unittest.TestCase):
         texts = {**self.files, **{p: squeezed(p) for e in every for name in classroom.HANDED_OUT
                                   for p in e.folder.glob(name)}}
         for e in every:
-            starter = (e.folder / "starter.cpp").read_text()
-            header = (e.folder / "exercise.hpp").read_text()
-            codes = {re.sub(r"\s", "", line.split("//")[0])
-                     for name in ("solution.cpp", "solution2.cpp")
-                     for line in (e.folder / name).read_text().splitlines()
-                     if line not in starter and line not in header}
+            given = [squeezed_code(line) for name in ("starter.cpp", "exercise.hpp")
+                     for line in (e.folder / name).read_text().splitlines()]
+            codes = {squeezed_code(line) for name in ("solution.cpp", "solution2.cpp")
+                     for line in (e.folder / name).read_text().splitlines()} - set(given)
             codes = {code for code in codes if len(code) > 12 and "#include" not in code}
             self.assertGreater(len(codes), 4, e.slug)
             self.assertEqual([(p.name, c) for p, text in texts.items() for c in codes
