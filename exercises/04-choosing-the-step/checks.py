@@ -10,6 +10,7 @@ FUNCTIONS = {"default_step": ("E nu rho Rmin Rmax", "dt"),
              "contact_time": ("E nu rho R v", "t"),
              "restitution": ("e_n steps phase", "e"),
              "fewest_steps": ("e_n error", "n")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.01 s; wrong ones search for ever
 
 
 def material(ask):
