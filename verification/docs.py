@@ -19,7 +19,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 ROOT = HERE.parent
-SUPERSCRIPT = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+RAISED = dict(zip("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 NUMBER = r"[-−]?\d+(?:\.\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?(?: ?%)?"
 SOURCED = re.compile(rf"({NUMBER})(<!-- ([^>]*?[a-z]\w*\.\w+[^>]*?) -->)")
 METRIC = re.compile(r"\b(\d\d_\w+)\.(\w+)\b")
@@ -48,7 +48,7 @@ def written(value, like):
     decimals = len(mantissa.partition(".")[2])
     if power:
         digits, exponent = f"{value:.{decimals}e}".split("e")
-        text = f"{digits}·10" + str(int(exponent)).translate({v: k for k, v in SUPERSCRIPT.items()})
+        text = f"{digits}·10" + "".join(RAISED[c] for c in str(int(exponent)))
     elif like.endswith("%"):
         text = f"{100 * value:.{decimals}f}" + (" %" if " %" in like else "%")
     else:
