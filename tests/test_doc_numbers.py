@@ -52,11 +52,12 @@ class DocNumbers(unittest.TestCase):
     def test_stale_page_is_noticed(self):
         with tempfile.TemporaryDirectory() as folder:
             page = Path(folder) / "page.md"
-            page.write_text("one in 9.9<!-- 22_pile.step_ratio -->, ![x](images/none.png)\n")
+            page.write_text("one in 9.9<!-- 22_pile.step_ratio -->, ![x](images/99_none.png)\n")
             code, said = check(page)
             self.assertEqual(code, 1)
             self.assertIn("stale: one in 9.9", said)
-            self.assertIn("docs/images/none.png is missing", said)
+            self.assertIn("docs/images/99_none.png is missing", said)
+            self.assertIn("no case draws 99_none.png", said)
 
 
 if __name__ == "__main__":

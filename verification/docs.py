@@ -108,6 +108,7 @@ def main():
     import verify
     cases = verify.load_cases()
     values, problems, numbers = measured(cases), [], 0
+    figures = {Path(figure).stem for case in cases for figure in case["figures"]}
     for page in args.pages or [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
         old = page.read_text()
         new = renewed(old, values, page.name, problems)
@@ -123,6 +124,8 @@ def main():
                 copy_image(name, ROOT / "docs" / "images")
             if not (ROOT / "docs" / "images" / name).exists():
                 problems.append(f"{page.name}: docs/images/{name} is missing")
+            if name[:2].isdigit() and name[:-4] not in figures:
+                problems.append(f"{page.name}: no case draws {name}")
         if new != old and args.check:
             problems += [f"{page.name}: stale: {a.strip()}" for a, b in
                          zip(old.splitlines(), new.splitlines()) if a != b]
