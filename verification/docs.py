@@ -9,7 +9,8 @@ sees: `0.8 %<!-- 08_oblique.elastic_dt0 -->`, or an expression of metrics, `<!--
 It keeps its number of digits. Between `<!-- steps: CASE ... -->` and `<!-- end of steps -->` stands
 a table of the largest steps for an error. docs/images/NAME.png is a copy of report/NAME.png, in few
 colours, for every NAME that the documentation shows and the report has. Between `<!-- measured -->`
-and `<!-- end of measured -->` every number in a column of a table but the first must have a source.
+and `<!-- end of measured -->` every number in a column of a table but the first must have a source;
+links and `code` are no numbers.
 """
 import argparse
 import re
@@ -73,7 +74,7 @@ def bare_numbers(text, where):
         rows = [line for line in block.splitlines() if line.startswith("|")][2:]
         for row in rows:
             for cell in row.strip("|").split("|")[1:]:
-                rest = re.sub(r"`[^`]*`|<sub>.*?</sub>", "", SOURCED.sub("", cell))
+                rest = re.sub(r"`[^`]*`|\[.*?\]\(.*?\)", "", SOURCED.sub("", cell))
                 if re.search(r"\d", rest):
                     yield f"{where}: a number without a source: {cell.strip()}"
 
