@@ -25,6 +25,14 @@ class DocNumbers(unittest.TestCase):
         self.assertEqual(code, 0, said)
         self.assertGreater(int(said.split()[0]), 40)
 
+    def test_times_of_the_readme_are_those_of_the_performance_page(self):
+        lines = (ROOT / "docs/performance.md").read_text().splitlines()
+        head = next(k for k, line in enumerate(lines) if "LAMMPS, 1 rank" in line)
+        row = next(line for line in lines[head:] if line.startswith("| packing | 10 000 |"))
+        names, cells = ([c.strip() for c in text.split("|")] for text in (lines[head], row))
+        ours, lammps = (cells[names.index(n)].split(" ±")[0] for n in ("1 thread", "LAMMPS, 1 rank"))
+        self.assertIn(f"one core | {ours} | | {lammps} |", (ROOT / "README.md").read_text())
+
     def test_numbers_keep_their_form(self):
         for like, value, expected in [
                 ("0.8 %", 0.00804, "0.8 %"), ("12%", 0.00804, "1%"), ("5.00", 1.78, "1.78"),
