@@ -1,4 +1,7 @@
-"""Links of the documentation: between its pages, and from equations to code, tests and cases."""
+"""Links of the documentation: between its pages, from equations to code, tests and cases, from
+symbols to code."""
+import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -8,6 +11,7 @@ TOOLS = Path(__file__).resolve().parents[1] / "docs/tools"
 sys.path.insert(0, str(TOOLS))
 import equations  # noqa: E402
 import links  # noqa: E402
+import symbols  # noqa: E402
 
 
 class Folder(unittest.TestCase):
@@ -146,6 +150,45 @@ class Faults(Folder):
     def test_reasons_that_no_longer_apply(self):
         self.assertIn("[[unstated]]", self.made(unstated=[{"equations": [1]}]))
         self.assertIn("[[unpractised]]", self.made(unpractised=[{"equations": [2]}]))
+
+
+class Symbols(Folder):
+    """docs/symbols.md and the table of parameters in README.md say what the sources say."""
+
+    def test_the_tables_are_complete_and_up_to_date(self):
+        for path, text in symbols.made().items():
+            self.assertEqual(path.read_text(), text, "run ./dem docs --update")
+
+    def test_the_parameters_are_those_of_help(self):
+        said = " ".join(subprocess.run([os.environ["TINYDEM"], "--help"], capture_output=True,
+                                       text=True, check=True).stdout.split())
+        entries = symbols.parameters()
+        self.assertGreater(len(entries), 25)
+        for entry in entries:
+            words = f"{entry['help']} [{entry['unit']}], {entry['range']}, default"
+            if entry["default"] and entry["name"] not in ("E", "contacts"):  # 1e+06; a flag
+                words += f" {entry['default']}"
+            if entry["name"] == "contacts":
+                words = entry["help"]
+            self.assertIn(words, said)
+
+    def test_a_struct_that_changed_is_noticed(self):
+        self.write(a_hpp="struct Other { int q; };\n\nstruct Two {\n  T a, b;  // c, d;\n"
+                         "  Vec<T> e{}; };\n")
+        self.assertEqual(symbols.members(self.root, "a.hpp", "Two"), {"a": 4, "b": 4, "e": 5})
+        with self.assertRaises(symbols.Wrong):
+            symbols.members(self.root, "a.hpp", "Three")
+        self.write(README_md="| symbol | option |\n|---|---|\n| old | row |\n")
+        table = symbols.tomllib.loads(symbols.TABLE.read_text())
+        for spoil, why in ((lambda text: text.replace("T stiff;", "T stiff, more;")
+                            .replace("vt, stiff;", "vt, stiff, more;"), "more"),
+                           (lambda text: text.replace("const T cn = ", "T cn = "), "const T cn")):
+            for name in ("tinydem/tinydem.hpp", "tinydem/tinydem.cpp"):
+                path = self.root / name
+                path.parent.mkdir(exist_ok=True)
+                path.write_text(spoil((links.ROOT / name).read_text()))
+            with self.assertRaisesRegex(symbols.Wrong, why):
+                symbols.page(self.root, table)
 
 
 if __name__ == "__main__":
