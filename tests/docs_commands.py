@@ -32,7 +32,7 @@ NOT_RUN = {
     "bench": "takes ten minutes",
     "grade": "the exercises have tests of their own; numbers are looked up",
     "gradebook": "has a test of its own",
-    "docs": "installs packages and renders for half a minute",
+    "docs": "installs packages, renders for half a minute; has tests of its own",
     "clean": "would only remove build/",
 }
 #: Other programs that are not run, and why.

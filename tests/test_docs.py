@@ -104,6 +104,8 @@ class Copy:
         for name in STANDINS:
             self.stand_in(commands / name, name)
         self.stand_in(self.root / "dem", "dem")
+        (self.root / "build/default").mkdir(parents=True)
+        self.stand_in(self.root / "build/default/tinydem", "tinydem")
         (commands / "python3").symlink_to(sys.executable)
         self.environment = {
             **os.environ, "PATH": f"{commands}:{os.environ['PATH']}", "HOME": str(self.root),

@@ -45,7 +45,8 @@ check it, and which exercises ask you to write it. Made from the tags in the sou
 
 Signs, factors and units are those of R. Vetter, Comput. Phys. Commun. (2025) 109942, with the slips
 of the text repaired (Eqs. 26, 52); D1 to D3 are [deliberate deviations](deviations.md).
-*.cpp* is [tinydem.cpp](../tinydem/tinydem.cpp), the numbers behind a colon are lines.
+*.cpp* is [tinydem.cpp](../tinydem/tinydem.cpp), the last word of a test file stands for the file,
+and the numbers behind a colon are lines.
 """
 
 
@@ -202,11 +203,11 @@ def page(table, stated, tested, verified, practised, sections):
                      next(a for a in sorted(sections) if a.startswith(deviation.lower())) + ")"
                      if deviation else "")
                     for equation, file, line, deviation in stated if equation == number]
-            tests = [f"[{Path(file).stem.removeprefix('test_')}:{line}](../{file}#L{line})"
+            tests = [f"[{Path(file).stem.split('_')[-1]}:{line}](../{file}#L{line})"
                      for file, line, _ in sorted(tested.get(number, ()))]
             proofs, tasks = ([f"[{name[:2]}](../{file})" for file, name, _ in
                               sorted(links.get(number, ()))] for links in (verified, practised))
-            lines.append(f"| ({number}) | {row['name']}: ${row['formula']}$ | " + " | ".join(
+            lines.append(f"| ({number}) | {row['name']}<br>${row['formula']}$ | " + " | ".join(
                 ", ".join(cell) or "–" for cell in (code, tests, proofs, tasks)) + " |")
         lines.append("")
         for kind, what in NOTES.items():
