@@ -32,6 +32,7 @@ NOT_RUN = {
     "bench": "takes ten minutes",
     "grade": "the exercises have tests of their own; numbers are looked up",
     "gradebook": "has a test of its own",
+    "lab": "needs a prediction, then runs for minutes; names are looked up",
     "docs": "installs packages, renders for half a minute; has tests of its own",
     "clean": "would only remove build/",
 }
@@ -233,16 +234,19 @@ def dem(words):
     note(["./dem", *words], NOT_RUN[verb])
     options = set(re.findall(r"--?\w[\w-]*", known))
     program = {"verify": "verification/verify.py", "bench": "verification/bench/bench.py",
-               "grade": "exercises/grade.py", "gradebook": "exercises/grade.py"}.get(verb)
+               "grade": "exercises/grade.py", "gradebook": "exercises/grade.py",
+               "lab": "exercises/grade.py"}.get(verb)
     options |= options_of(ORIGINAL / program) if program else set()
     for word in words[1:]:
         if verb != "test" and word.startswith("-") and word.partition("=")[0] not in options:
             stop(f"./dem {verb} has no option {word}")
-    places = {"grade": "exercises", "verify": "verification/cases"}
+    places = {"grade": ("exercises", "exercises/labs"), "verify": ("verification/cases",),
+              "lab": ("exercises/labs",)}
     for k, word in enumerate(words[1:]):
         if verb not in places or word.startswith("-") or words[k].startswith("--"):
             continue
-        if not list((ORIGINAL / places[verb]).glob(f"*{word}*")):
+        name = word.removeprefix("lab-")
+        if not any(list((ORIGINAL / place).glob(f"*{name}*")) for place in places[verb]):
             stop(f"./dem {verb}: there is no {word}")
     return find_tests(words) if verb == "test" else 0
 

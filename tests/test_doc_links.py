@@ -150,6 +150,9 @@ class Faults(Folder):
     def test_reasons_that_no_longer_apply(self):
         self.assertIn("[[unstated]]", self.made(unstated=[{"equations": [1]}]))
         self.assertIn("[[unpractised]]", self.made(unpractised=[{"equations": [2]}]))
+        table = "[[unpractised]]\nequations = [{}]\nreason = \"r\"\n"
+        both = table.format("1, 2") + table.format("3") + "[x]\n"
+        self.assertEqual(equations.drop_old_reasons(both, {2, 3}), table.format("1") + "[x]\n")
 
 
 class Symbols(Folder):

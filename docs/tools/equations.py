@@ -1,7 +1,8 @@
 """Where every equation of the paper is stated, tested, verified and practised.
 
     python3 docs/tools/equations.py            is docs/equations.md complete and up to date?
-    python3 docs/tools/equations.py --update   write it
+    python3 docs/tools/equations.py --update   write it; drops reasons why no exercise grades an
+                                               equation once one does
 
 The links come from tags in the sources, `Eq. (12)`, `Eqs. (5, 10)`, `Eqs. (3), (42)-(46)`:
 
@@ -236,12 +237,22 @@ def made(root=ROOT):
     return wrong, "" if wrong else page(table, *links, sections)
 
 
+def drop_old_reasons(text, practised):
+    """equations.toml without the reasons for equations that an exercise grades by now."""
+    def one(entry):
+        left = [n for n in map(int, re.findall(r"\d+", entry[1])) if n not in practised]
+        return entry[0].replace(entry[1], ", ".join(map(str, left))) if left else ""
+    return re.sub(r"\[\[unpractised\]\]\nequations = \[(.*)\]\nreason = .*\n", one, text)
+
+
 def main():
     """The program; see the top of this file."""
     arguments = argparse.ArgumentParser(description="Make or check docs/equations.md.")
     arguments.add_argument("--update", action="store_true", help="write it")
     update = arguments.parse_args().update
     try:
+        if update:
+            TABLE.write_text(drop_old_reasons(TABLE.read_text(), exercises()))
         wrong, text = made()
     except Wrong as what:
         wrong, text = [str(what)], ""

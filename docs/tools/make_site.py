@@ -138,8 +138,8 @@ class Pages:
         """Writes all pages, with the side bar and the page of what was not made by Sphinx."""
         for name in self.names:
             self.prepare(name)
-        verification = "- <a href=\"report/index.html\">Report of the verification</a>: every claim " \
-            "with its figures" if report else \
+        verification = '- <a href="report/index.html">Report of the verification</a>: every ' \
+            "claim with its figures" if report else \
             "- The report of the verification is not here: `./dem verify` writes it, then make " \
             "the site again"
         more = "\n- <a href=\"report/bench.html\">What a step costs</a>" \

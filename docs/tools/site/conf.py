@@ -16,8 +16,8 @@ html_show_sphinx = html_copy_source = html_show_sourcelink = False
 html_theme_options = {"light_css_variables": {"color-brand-primary": "#1f5a8a",
                                               "color-brand-content": "#1f5a8a"}}
 
-# Formulas are drawn in the browser by MathJax, which is part of the site; as SVG, because that needs
-# no font files, and so works for pages opened from the disk.
+# Formulas are drawn in the browser by MathJax, which is part of the site; as SVG, because that
+# needs no font files, and so works for pages opened from the disk.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG-full"
 mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]],
                                "ignoreClass": "document", "processClass": "math"},
