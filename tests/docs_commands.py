@@ -88,9 +88,11 @@ def tinydem(words):
     return subprocess.run([os.environ["TINYDEM"], *short]).returncode
 
 
-def changed():
-    """Has a page changed the solver of the copy?"""
-    return any((COPY / name).read_text() != (ORIGINAL / name).read_text() for name in SOLVER)
+def unchanged(source):
+    """Is this tinydem.cpp, with tinydem.hpp beside it, both as they are in the repository?"""
+    pairs = [(Path(source).with_name(Path(name).name), ORIGINAL / name) for name in SOLVER]
+    return Path(source) == pairs[0][0] and all(
+        here.is_file() and here.read_text() == there.read_text() for here, there in pairs)
 
 
 def compiler(name, words):
@@ -102,8 +104,7 @@ def compiler(name, words):
     for source in sources:
         if not Path(source).is_file():
             stop(f"there is no {source}")
-    ours = any(Path(source).resolve() == (COPY / SOLVER[0]).resolve() for source in sources)
-    if not ours or changed() or len(sources) > 1:
+    if len(sources) != 1 or not unchanged(sources[0]):
         slow = [word for word in words if re.fullmatch(r"-O[23s]|-march=\w+", word)]
         if slow:
             note([name, *words], f"without {' '.join(slow)}")

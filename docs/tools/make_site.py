@@ -122,9 +122,10 @@ class Pages:
         rest = [name for name in self.names
                 if name.startswith("docs/") and name not in guides + evidence]
 
-        def below(folder):
-            return sorted((name for name in self.names if name.startswith(folder)),
-                          key=lambda name: (name != folder + "README.md", name))
+        def below(folder):  # a README before what is in its folder; advice for authors last
+            return sorted((name for name in self.names if name.startswith(folder)), key=lambda name:
+                          ("AUTHORING" in name, posixpath.dirname(name), "README" not in name))
+
         parts = [("Guides", guides), ("Scenes", below("tinydem/")),
                  ("Exercises", below("exercises/")),
                  ("Evidence", below("verification/") + evidence),
@@ -146,7 +147,8 @@ class Pages:
             if "bench.html" in report else ""
         (self.folder / "reference.md").write_text(
             "# Report, reference, sources\n\n" + verification + more + "\n"
-            '- <a href="api/index.html">Reference of the two files</a>: types, functions, members\n'
+            '- <a href="api/namespacetinydem.html">Reference of the two files</a>: types, '
+            'functions, members\n'
             '- <a href="source/tinydem/tinydem.cpp.html">tinydem.cpp</a>: the physics\n'
             '- <a href="source/tinydem/tinydem.hpp.html">tinydem.hpp</a>: the machinery\n')
         self.sources |= {"tinydem/tinydem.cpp", "tinydem/tinydem.hpp"}
