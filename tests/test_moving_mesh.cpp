@@ -76,6 +76,7 @@ TEST_CASE("closed form: an elastic sphere leaves a piston at twice its speed, an
   }
   CHECK(speed.error < 1e-5);
 }
+// Eqs. (26-28)
 TEST_CASE("exact: an impact on a belt is the impact on a resting plate, seen from the belt") {
   const Vec3 V{real(0.7), real(-0.4), real(0.2)};
   const Mesh plate = one_element({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
@@ -94,6 +95,7 @@ TEST_CASE("exact: an impact on a belt is the impact on a resting plate, seen fro
     CHECK(change.error < 8e-13);
   }
 }
+// Eq. (51): in the frame that turns with the contact
 TEST_CASE("exact: on a turntable the history of a contact turns with the table") {
   // A sphere that is pinned to the table by a deep overlap and moves with it keeps its springs, seen from the table.
   const Mesh table = one_element({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
