@@ -10,7 +10,7 @@ import xml.etree.ElementTree as xml
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import course
+from . import course, solver
 
 DEM = """#!/bin/sh
 # The exercises. ./dem grade 01 builds and grades your answer, ./dem progress shows where you are.
@@ -26,7 +26,7 @@ exec "$python" "$here/exercises/grade.py" "$@"
 # What a student gets of an exercise; everything else stays with the teacher.
 HANDED_OUT = ["README.md", "exercise.hpp", "checks.cpp", "checks.py", "starter.cpp", "*.png",
               "*.svg"]
-GRADER = ["__init__.py", "course.py", "program.py", "vec.py", "sandbox.cpp"]
+GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sandbox.cpp"]
 
 
 # ------------------------------------------------------------------------------------- hand-out
@@ -35,9 +35,9 @@ def expected_values(exercise, build, compiler):
     """The reference's results for the public seeds, as the checks ask for them."""
     exercise.recorded.clear()
     for seed in course.PUBLIC_SEEDS:
-        sheet = course.grade(exercise, exercise.folder / "solution.cpp", build, compiler, [seed])
+        sheet = course.grade(exercise, exercise.folder / f"solution{exercise.suffix}", build, compiler, [seed])
         if not all(line.full for line in sheet.lines):
-            raise course.BadExercise(f"{exercise.slug}: solution.cpp has {sheet.points:g} points "
+            raise course.BadExercise(f"{exercise.slug}: the solution has {sheet.points:g} points "
                                      f"with seed {seed}; run ./dem grade {exercise.number} "
                                      "--self-test")
     return dict(sorted(exercise.recorded.items()))
@@ -68,11 +68,16 @@ def handout(top, directory, exercises, build, compiler):
     inside = directory / "exercises"
     copy(["grade.py", ".gitignore"], top, inside)
     copy(GRADER, top / "grader", inside / "grader")
-    copy(["*.hpp"], top / "include", inside / "include")
+    copy(["*.hpp", "*.cpp"], top / "include", inside / "include")
+    if any(e.kind != "functions" for e in exercises):
+        copy(solver.FILES, top.parent / "tinydem", directory / "tinydem")
     for exercise in exercises:
         folder = inside / exercise.slug
         copy(HANDED_OUT, exercise.folder, folder)
-        shutil.copy(folder / "starter.cpp", folder / "answer.cpp")
+        if exercise.kind == "solver":
+            copy(solver.FILES, exercise.solver, folder / "answer")
+        else:
+            shutil.copy(folder / "starter.cpp", folder / "answer.cpp")
         values = expected_values(exercise, build, compiler)
         (folder / "expected.json").write_text(json.dumps(values) + "\n")
     copy(["LICENSE"], top.parent, directory)
@@ -89,10 +94,20 @@ def handout(top, directory, exercises, build, compiler):
 def find_answer(student, exercise):
     """A student's answer, or None. A link that leads out of the student's directory is none."""
     slug, number = exercise.slug, exercise.number
+
+    def own(path):
+        return path.is_file() and student.resolve() in path.resolve().parents
+
+    if exercise.kind == "solver":
+        for name in number, f"{number}/answer", slug, f"{slug}/answer", f"exercises/{slug}/answer":
+            here = [student / name / file for file in solver.FILES]
+            if any(map(own, here)) and all(own(f) or not f.exists() for f in here):
+                return student / name
+        return None
     for name in (f"{number}.cpp", f"{slug}.cpp", f"{number}/answer.cpp", f"{slug}/answer.cpp",
                  f"exercises/{slug}/answer.cpp"):
         path = student / name
-        if path.is_file() and student.resolve() in path.resolve().parents:
+        if own(path):
             return path
     return None
 
