@@ -293,6 +293,12 @@ class Exercise:
             raise Lost(f"{self.slug}/checks.py or expected.json was changed; get them anew")
         return [tuple(v) for v in entry["values"]]
 
+    @property
+    def submissions(self):
+        """Where a student's answer may be, in the student's directory."""
+        return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
+                f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
+
     def answer(self):
         """The file that the student edits; made from the starter at first."""
         path = self.folder / "answer.cpp"
@@ -367,6 +373,8 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
     names of the checks to run, default all; threads: that the answer may use; jobs: checks at a
     time.
     """
+    if hasattr(exercise, "sheet"):  # a lab sheet: numbers, no program
+        return exercise.grade(answer, seeds, only)
     chosen = [c for c in exercise.checks if not only or c.name in only]
     limits = {**exercise.limits, "threads": threads}
     with Workshop(compiler, build) as shop:
@@ -395,7 +403,8 @@ def feedback(line, sheet):
     if not line.check:
         return [printable(x) for x in ["the answer does not compile:",
                                        *sheet.said.splitlines()[:12]]]
-    one, out, texts = line.check, line.outcome, [line.check.title]
+    one, out = line.check, line.outcome
+    texts = [f"{one.title}; {one.eq}" if one.eq else one.title]
     if out:
         unit = f" {one.unit}" if one.unit else ""
         band = f"; error {out.error:.2g}, allowed {one.tol:.2g}" if one.tol else ""
