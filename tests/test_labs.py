@@ -1,6 +1,7 @@
 """The lab sheets: reading, sealing, bands, honest and dishonest answers, and their commands. The
 self-test of each sheet (./dem grade lab-NAME --self-test) is a test of its own."""
 import csv
+import json
 import os
 import random
 import re
@@ -11,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from test_grader import EXERCISES, ROOT, lost, run, told
+from test_grader import EXERCISES, RESULTS, ROOT, conforms, lost, run, told
 from grader import classroom, course, lab_runs, labs  # noqa: E402  (test_grader sets the path)
 
 PROGRAM = os.environ.get("TINYDEM", str(ROOT / "build/default/tinydem"))
@@ -106,7 +107,8 @@ class Sealing(Scratch):
                         ignore=shutil.ignore_patterns("answer.ini"))
         with self.assertRaisesRegex(course.Mistake, "first the prediction"):
             labs.need_prediction(labs.Lab(tree / "labs/repose"))
-        (tree / "labs/repose/answer.ini").write_text(answer_text(REPOSE, []).split("[result]")[0])
+        (tree / "labs/repose/answer.ini").write_text(
+            answer_text(REPOSE, REPOSE.runs).split("[runs]")[0])
         labs.need_prediction(labs.Lab(tree / "labs/repose"))
 
 
@@ -210,7 +212,7 @@ class Commands(Scratch):
                 known = [dict(zip(o[::2], o[1::2])) for o in known]
                 asked = dict(zip(words[3::2], words[4::2]))
                 for options in (asked, *known):
-                    options.pop("--seed", None), options.pop("--g", None)
+                    options.pop("--seed", None)
                 self.assertIn(asked, known, line)
 
     def test_a_row_from_a_real_run(self):
@@ -293,7 +295,8 @@ class ForTeachers(Scratch):
         for row in rows.values():
             parts = sum(float(row[k]) for k in course.CATEGORIES)
             self.assertAlmostEqual(parts, float(row["points"]))
-        self.assertTrue((self.folder / "grades" / "right" / "results.json").is_file())
+        results = json.loads((self.folder / "grades" / "forged" / "results.json").read_text())
+        self.assertTrue(conforms(results, RESULTS), results)
 
 
 if __name__ == "__main__":

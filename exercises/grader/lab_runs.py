@@ -21,10 +21,15 @@ def seed_list(text):
 
 def one_run(lab, value, seed, program, folder, extra=()):
     """Runs the scene into `folder` and measures; the row as texts."""
-    scenes = lab.folder.parents[2] / "tinydem" / "scenes"
+    scenes, folder = lab.folder.parents[2] / "tinydem" / "scenes", Path(folder)
     scene, options = lab.sheet.run(value, seed)
-    solve = [str(program), "", "", str(folder), "--scene", str(scenes / scene), "--quiet",
-             "--overwrite", *options, *extra]
+    particles = ""
+    if hasattr(lab.sheet, "start"):  # a scene without spawning: the seed makes its start
+        particles = folder.with_suffix(".csv")
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        particles.write_text(lab.sheet.start(seed, (scenes / scene).parent))
+    solve = [str(program), "", str(particles), str(folder), "--scene", str(scenes / scene),
+             "--quiet", "--overwrite", *options, *extra]
     done = subprocess.run(solve, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode:
         raise Mistake(f"the run failed: {done.stderr.strip()}")

@@ -26,7 +26,7 @@ FAR = 5.0           # and from what the instructor's runs say, in any case
 SCATTER = (0.25, 2.5)  # of the student's runs over the instructor's: outside less than 1 in 1000
 TRENDS = ("rises", "falls", "stays")
 SECTIONS = ("prediction", "runs", "result")
-QUANTITY = re.compile(r"^([-+.\deE]+)(?:\s*(?:\+-|\+/-|±)\s*([-+.\deE]+))?\s*([a-zA-Z/^0-9]*)$")
+QUANTITY = re.compile(r"^([-+.\deE]+)(?:\s*(?:\+-|\+/-|±)\s*([-+.\deE]+))?\s*([a-zA-Z/^0-9%]*)$")
 
 CHECKS = [  # name, category, points, what it asks, unit-free cause of a failure
     ("builds", "builds", 5, "The answer can be read", ""),
