@@ -238,7 +238,8 @@ class Feedback(unittest.TestCase):
 
     def test_fields(self):
         text = (HERTZ.folder / "mutants" / "two_thirds.cpp").read_text()
-        said = told(graded(text, ["equal_spheres"]), "equal_spheres")
+        sheet = graded(text, ["equal_spheres"])
+        said = " ".join(sheet.as_dict()["checks"][1]["feedback"])
         for part in ("Eqs. (5), ", "measured: (", "expected: (", " N; error 0.5, allowed 1e-09",
                      "at: ", "likely cause: 2/3", "--check equal_spheres --seed 1"):
             self.assertIn(part, said)

@@ -344,7 +344,7 @@ class Sheet:
         return {"exercise": self.exercise.slug, "title": self.exercise.title, "seeds": self.seeds,
                 "points": self.points, "maximum": sum(CATEGORIES.values()), "compiler": self.said,
                 "checks": [{"name": x.name, "category": x.category, "points": x.points,
-                            "maximum": x.maximum, "feedback": feedback(x, self)}
+                            "maximum": x.maximum, "feedback": feedback(x, self, True)}
                            for x in self.lines]}
 
 
@@ -396,15 +396,16 @@ def printable(text):
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
-def feedback(line, sheet):
-    """Why points are missing and what to do: a list of texts; empty at full points."""
+def feedback(line, sheet, equations=False):
+    """Why points are missing and what to do: a list of texts; empty at full points. equations: with
+    those of the check, for who does not see them beside its name."""
     if line.full or line.problem == "not run":
         return []
     if not line.check:
         return [printable(x) for x in ["the answer does not compile:",
                                        *sheet.said.splitlines()[:12]]]
     one, out = line.check, line.outcome
-    texts = [f"{one.title}; {one.eq}" if one.eq else one.title]
+    texts = [f"{one.title}; {one.eq}" if equations and one.eq else one.title]
     if out:
         unit = f" {one.unit}" if one.unit else ""
         band = f"; error {out.error:.2g}, allowed {one.tol:.2g}" if one.tol else ""
