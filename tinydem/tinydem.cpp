@@ -8,8 +8,7 @@ extern "C" int omp_get_max_threads() noexcept;
 namespace tinydem {
 // ------------------------------------------------------------------------------ 1 parameters
 /// A parameter; type is the first letter of its type in the table.
-struct Option {
-  const char *name, *dimension, *range, *help; void* at; char type;
+struct Option { const char *name, *dimension, *range, *help; void* at; char type;
   template <class T> T& as() const { return *static_cast<T*>(at); }
   Reals numbers() const {
     return type == 's' ? Reals() : type == 'R' ? as<Reals>() : type == 'l' ? Reals{real(as<long>())}
@@ -159,8 +158,7 @@ template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
 /// The contact law. M says which friction modes the scene has.
 template <class M, class T>
 INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<T>& mat) {
-  Loads<T> r;
-  const T a = sqrt(c.Rstar * c.delta);                                          // Eq. (14)
+  Loads<T> r; const T a = sqrt(c.Rstar * c.delta);                              // Eq. (14)
   const T kn = T(4) / 3 * (c.stiff * mat.Estar) * a;                            // Eq. (12)
   const T ks = 8 * (c.stiff * mat.Gstar) * a;                                   // Eq. (13)
   const T cn = mat.beta * sqrt(5 * c.mstar * kn);                               // Eq. (18)
@@ -230,6 +228,9 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
   Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions; b.contacts = 0;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
     for (; next < count(b.pairs) && n < block; ++next) {
+      const Pair& later = b.pairs[min(next + 16, count(b.pairs) - 1)];  // to be in the cache then
+      const char* const soon = reinterpret_cast<const char*>(&s.grains[max(later.j, 0)]);
+      __builtin_prefetch(soon), __builtin_prefetch(soon + 64), __builtin_prefetch(soon + 128);
       Pair& p = b.pairs[next]; const Body<real>& a = s.grains[p.i];
       const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x, a.v) : s.grains[p.j];
       bool touch = square(a.x - c.x) < square(a.R + c.R);                       // Eq. (7)
@@ -409,8 +410,7 @@ void Simulation::find_pairs(Slab& b) {
   struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
   double n = 9; for (const Slab& s : old) n += (b.last - b.first) / (size() + 1.0) * count(s.pairs);
   b.pairs.reserve(size_t(1.2 * n)), b.springs.reserve(friction ? size_t(1.2 * n) : 0);
-  for (int i = b.first, last = i; i < b.last; ++i) {
-    const Grain& g = grains[i];
+  for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) {  // neighbours search together
       Box box; near.clear(), last = min(i + 8, b.last);
@@ -524,8 +524,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   const string part = path.string() + ".part";
   std::fstream file(part, std::ios::binary | std::ios::out); std::error_code error;
   if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
-  if (file && !error) return;
-  fs::remove(part, error);
+  if (file && !error) return; fs::remove(part, error);
   throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {

@@ -40,8 +40,7 @@ typedef vector<real> Reals;
 template <class T> INLINE T sqrt(T a) {
   return sizeof a == 4 ? T(sqrtf(float(a))) : sizeof a == 8 ? T(::sqrt(double(a))) : std::sqrt(a); }
 /// Three components; T is the type of one number.
-template <class T> struct Vec {
-  T x{}, y{}, z{};
+template <class T> struct Vec { T x{}, y{}, z{};
   INLINE Vec operator-() const { return {-x, -y, -z}; }
   INLINE Vec operator+(const Vec& b) const { return {x + b.x, y + b.y, z + b.z}; }
   INLINE Vec operator-(const Vec& b) const { return {x - b.x, y - b.y, z - b.z}; }
@@ -56,9 +55,8 @@ typedef Vec<real> Vec3;
 template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
-/// nothing but arithmetic and `condition ? a : b` becomes vector instructions.
-constexpr int block = 32;
-constexpr int padded(int n) { return (n + 7) / 8 * 8; }  // whole vector instructions
+/// nothing but arithmetic and `condition ? a : b` becomes vector instructions (whole ones: padded).
+constexpr int block = 32; constexpr int padded(int n) { return (n + 7) / 8 * 8; }
 template <class S> struct alignas(64) Block {
   static constexpr int size = int(sizeof(S) / sizeof(real)); real c[size][block];
   INLINE S get(int l) const { S s; return copy(l, s), s; }
@@ -338,13 +336,11 @@ struct Simulation {
   template <class F> void each_contact(const F& found) const; Summary summary() const;
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
   int size() const { return count(grains); } real time() const { return real(steps) * p.dt; }
-  Parameters p; Mesh mesh;
-  vector<Grain> grains{};        // sorted: near in space, near in memory
+  Parameters p; Mesh mesh; vector<Grain> grains{};  // sorted: near in space, near in memory
   vector<int> id{};              // place in the order of creation
   vector<Slab> slabs{1}, old{};  // old: before sorting
   vector<int> first_pair{};      // of each particle in old
-  Tree particle_tree{};
-  vector<Group> groups{};        // one for each index into Rmesh
+  Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
