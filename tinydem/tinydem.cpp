@@ -524,7 +524,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   const string part = path.string() + ".part";
   std::fstream file(part, std::ios::binary | std::ios::out); std::error_code error;
   if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
-  if (file && !error) return; fs::remove(part, error);
+  if (!file || error) fs::remove(part, error); else return;
   throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
