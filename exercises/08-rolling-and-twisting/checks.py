@@ -11,6 +11,7 @@ CONTACT = "n_x n_y n_z r_i r_j R* f_n k_n c_n k_s c_s"
 FUNCTIONS = {"relative_spin": (CONTACT + " w_ix w_iy w_iz w_jx w_jy w_jz", "v_rx v_ry v_rz v_t"),
              "resisting_torque": ("u_rx u_ry u_rz u_t " + CONTACT + " v_rx v_ry v_rz v_t mu_s mu_r "
                                   "dt", "t_x t_y t_z u_rx u_ry u_rz u_t")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.01 s
 ZERO = (0.0, 0.0, 0.0)
 T, UR, UT = slice(0, 3), slice(3, 6), 6  # in a result of resisting_torque
 N, LOAD, VR, VT = slice(4, 7), 10, slice(15, 18), 18  # in its arguments

@@ -11,6 +11,7 @@ P, A, B, C, D = ("p_x p_y p_z", *(f"{c}_x {c}_y {c}_z" for c in "abcd"))
 FUNCTIONS = {"closest_on_edge": (" ".join((P, A, B)), "q_x q_y q_z"),
              "closest_on_triangle": (" ".join((P, A, B, C)), "q_x q_y q_z"),
              "closest_on_rectangle": (" ".join((P, A, B, C, D)), "q_x q_y q_z")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.01 s
 NAME = {2: "closest_on_edge", 3: "closest_on_triangle", 4: "closest_on_rectangle"}  # by corners
 
 
