@@ -106,7 +106,7 @@ class Copy:
         self.stand_in(self.root / "dem", "dem")
         (self.root / "build/default").mkdir(parents=True)
         self.stand_in(self.root / "build/default/tinydem", "tinydem")
-        (commands / "python3").symlink_to(sys.executable)
+        self.program(commands / "python3", f'"{sys.executable}"')
         self.environment = {
             **os.environ, "PATH": f"{commands}:{os.environ['PATH']}", "HOME": str(self.root),
             "TINYDEM": str(Path(program).resolve()), "DOCS_COPY": str(self.root),
@@ -126,10 +126,14 @@ class Copy:
                 inside and name in ("build", "output")]
 
     @staticmethod
-    def stand_in(path, name):
-        """Writes a program that leaves a command to docs_commands.py."""
-        path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{COMMANDS}" {name} "$@"\n')
+    def program(path, command):
+        """Writes a program that runs a command with its arguments."""
+        path.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
         path.chmod(0o755)
+
+    def stand_in(self, path, name):
+        """Writes a program that leaves a command to docs_commands.py."""
+        self.program(path, f'"{sys.executable}" "{COMMANDS}" {name}')
 
     def run(self, *words, text=None):
         """Runs a command from the root of the copy; what it prints. Fault unless it succeeds."""
