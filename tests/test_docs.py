@@ -156,8 +156,8 @@ class Copy:
     # ------------------------------------------------------------------------------- languages
 
     def sh(self, block):
-        """Run; the commands of docs_commands.py are cut short."""
-        self.printed = self.run("sh", "-e", "-c", block.text)
+        """Run; the commands of docs_commands.py are cut short. Failures before `&&` count."""
+        self.printed = self.run("sh", "-e", "-c", block.text.replace(" && ", " ; "))
 
     bash = sh
 
@@ -245,6 +245,8 @@ class Copy:
         """Does what the language and the marker of a block ask for."""
         what, _, rest = block.marker.partition(" ")
         language = block.language or "text"
+        if not block.text.strip():
+            raise Fault("is empty")
         if what and not hasattr(self, "mark_" + what):
             raise Fault(f"there is no marker '{what}'")
         if what:
@@ -368,6 +370,8 @@ class Rules(InCopies):
                 ("sh", "g++ -std=c++71 -o tinydem tinydem/tinydem.cpp", "", "c++71"),
                 ("sh", "tinydem --mus -1", "", "mus = '-1'"),
                 ("sh", "nosuchprogram", "", "nosuchprogram"),
+                ("sh", "cd nosuchfolder && true\ntrue", "", "nosuchfolder"),
+                ("text", " ", "", "is empty"),
                 ("python", "import nosuchmodule", "", "nosuchmodule"),
                 ("cpp", "int x;", "", "part of a program"),
                 ("cpp", "int main() { return y; }", "", "not declared in this scope"),
