@@ -595,7 +595,7 @@ def write_liggghts(state, folder, args):
                (low, high), f"TinyDEM frame {state.number}")
     law = "model hertz tangential " + ("history" if p["mus"] > 0 else "off")
     law += " rolling_friction epsd3" if p["mur"] > 0 else ""
-    law += " tangential_damping off" if p["mus"] > 0 else ""
+    options = " tangential_damping off" if p["mus"] > 0 else ""
     prop = "fix {0} all property/global {1} "
 
     def pairs(name, value):
@@ -604,7 +604,8 @@ def write_liggghts(state, folder, args):
     lines = ["# Written by TinyDEM's lammps.py --liggghts: same normal law, approximate friction.",
              "# mpirun -np N liggghts -in in.liggghts (not with -screen none)",
              "units si", "atom_style granular", "boundary m m m", "newton off",
-             "communicate single vel yes", "soft_particles yes", "read_data data.tinydem",
+             "communicate single vel yes", "soft_particles yes",
+             "hard_particles yes", "read_data data.tinydem",
              f"neighbor {R.mean() / 2:.6g} bin", "neigh_modify delay 0",
              prop.format("youngsModulus", "youngsModulus") + f"peratomtype {p['E']:.17g} 1e30",
              prop.format("poissonsRatio", "poissonsRatio") + f"peratomtype {p['nu']:.17g} "
@@ -612,17 +613,16 @@ def write_liggghts(state, folder, args):
              pairs("coefficientRestitution", p["en"]), pairs("coefficientFriction", p["mus"])]
     if p["mur"] > 0:
         lines += [pairs("coefficientRollingFriction", p["mur"]),
-                  pairs("rollingStiffness", p["mur"]**-2),
+                  prop.format("rollingStiffness", "rollingStiffness")
+                  + f"scalar {p['mur']**-2:.17g}",
                   pairs("coefficientRollingViscousDamping", damping_ratio(p["en"]))]
-    lines += [f"pair_style gran {law}", "pair_coeff * *", f"timestep {p['dt']:.17g}",
+    lines += [f"pair_style gran {law}{options}", "pair_coeff * *", f"timestep {p['dt']:.17g}",
               "fix motion all nve/sphere"]
     if g.any():
         lines.append(f"fix weight all {gravity_words(p)}")
     if elements:
         lines += ["fix mesh all mesh/surface file mesh.stl type 2",
-                  f"fix walls all wall/gran {law.replace('tangential_damping off', '').strip()}"
-                  f"{' tangential_damping off' if p['mus'] > 0 else ''} "
-                  "mesh n_meshes 1 meshes mesh"]
+                  f"fix walls all wall/gran {law} mesh n_meshes 1 meshes mesh{options}"]
     form = " ".join(["%d", "%d"] + ["%.17g"] * (len(DUMP.split()) - 2))
     lines += [f"dump frames all custom {p['Nsteps']} frame.*.dump {DUMP}",
               f'dump_modify frames sort id format "{form}"', f"thermo {p['Nsteps']}",
