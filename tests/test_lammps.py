@@ -154,8 +154,8 @@ class Files(Folder):
 
     def test_vibration_and_drag(self):
         mesh = CUBE.format(g=1)
-        folder = self.hand_off(changed(eta=0.01, motion="1 vibrate 0,0,0.002 20 -1.5707963267948966"),
-                               mesh)
+        motion = "1 vibrate 0,0,0.002 20 -1.5707963267948966"
+        folder = self.hand_off(changed(eta=0.01, motion=motion), mesh)
         text = (folder / "in.tinydem").read_text()
         self.assertIn("zplane 0 NULL wiggle z 0.002", text)
         self.assertNotIn("reset_timestep", text)  # this phase is LAMMPS' own
@@ -209,7 +209,8 @@ class Refusals(Folder):
         for mesh, particles, texts in (
                 (floor + "4 0 1 2 3\n4 4 5 6 7\n1 0\n", one, ["mesh element 2 (point 0,0,0)"]),
                 (floor + "4 0 1 2 3\n4 4 5 6 7\n2 0 1\n", TWO, ["mesh element 1", "not convex"]),
-                (floor + "4 0 1 2 3\n4 4 5 6 7\n4 0 1 2 3\n", one, ["mesh element 0", "lies twice"]),
+                (floor + "4 0 1 2 3\n4 4 5 6 7\n4 0 1 2 3\n", one,
+                 ["mesh element 0", "lies twice"]),
                 (hole, one, ["mesh element 0", "has holes or ends", "80 %"]),
                 (floor.replace("8 3", "8 2") + "4 0 1 2 3\n4 4 5 6 7\n", one,
                  ["mesh element 1", "has holes or ends", "36 %"])):

@@ -36,9 +36,9 @@ ALIKE = 1e-9         # planes are one if their normals and places [size of the m
 COVERED = 1e-6       # share of a wall that may be missing in its faces: digits of an OFF file
 PHASE_STEPS = 10**6  # steps among which the phase of a vibration is looked for
 DUMP = "id type radius mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz"
-SLIDING = "sliding: the velocity at the contact takes the lever arm R (at walls the torque as well) " \
-    "where TinyDEM takes R - delta/2, and a spring that slips is reset as printed in Eq. (55), see " \
-    "D2 in docs/deviations.md; see docs/scaling.md for how much impacts differ"
+SLIDING = "sliding: the velocity at the contact takes the lever arm R (at walls the torque too) " \
+    "where TinyDEM takes R - delta/2, and a spring that slips is reset as printed in Eq. (55), " \
+    "D2 in docs/deviations.md; docs/scaling.md tells how much impacts differ"
 FILES = {False: ("data.tinydem", "in.tinydem"), True: ("data.tinydem", "in.liggghts", "mesh.stl")}
 
 
@@ -509,7 +509,7 @@ def write_lammps(state, folder, args):
               "dump_modify frames sort id format float %.17g",
               f"thermo {p['Nsteps']}", "thermo_modify lost error",
               f"run {state.ahead * p['Nsteps']}",
-              "# To go on in this script: `run N pre no`. A plain `run` makes the walls bounce more."]
+              "# To go on here: `run N pre no`. A plain `run` would make the walls bounce more."]
     (folder / "in.tinydem").write_text("\n".join(lines) + "\n")
     return notes + lammps_notes(p, classes, planes_now, elements, boundary, args, springs)
 

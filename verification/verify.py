@@ -6,7 +6,7 @@
     verify.py --quick 02_restitution the reduced form that the tests run; no report
     verify.py --mutants [all|fast]   break the solver on purpose: which case notices?
     verify.py --lammps               the comparison with LAMMPS (./dem verify --lammps installs it)
-    verify.py --check                only the tables: complete, tolerances not too loose, mutants apply
+    verify.py --check                only the tables: complete, tolerances not too loose
     verify.py --update               write what was measured into the tables (never a tolerance)
 
 A case is cases/NN_name.{toml,cpp,py}: what it claims, the program that measures, the figure. The

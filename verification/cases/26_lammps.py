@@ -17,7 +17,7 @@ from lammps_runs import Lammps  # noqa: E402
 
 PLATE = "OFF\n4 1 0\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\n4 0 1 2 3\n"
 CUP = "OFF\n8 5 0\n" + "".join(f"{x} {y} {z}\n" for z in (0, 0.5) for x, y in
-                               ((0, 0), (0.1, 0), (0.1, 0.1), (0, 0.1))) + \
+                               ((0, 0), (0.14, 0), (0.14, 0.144), (0, 0.144))) + \
     "4 0 1 2 3\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
 GROOVE = "OFF\n6 2 0\n0 -1 0\n0 1 0\n1 -1 0.7\n1 1 0.7\n-1 -1 0.7\n-1 1 0.7\n4 0 1 3 2\n4 0 1 5 4\n"
 ANGLES = range(0, 86, 5)
@@ -87,7 +87,9 @@ def impacts(angles, spin=True):
     equal, twice as large or half as large; every third comes with a spin."""
     rows = []
     for k, angle in enumerate(np.radians(angles)):
-        v, w = (np.sin(angle), 0, -np.cos(angle)), (10, -20, 30) if spin and k % 3 == 0 else (0,) * 3
+        v, w = (np.sin(angle), 0, -np.cos(angle)), (0, 0, 0)
+        if spin and k % 3 == 0:
+            w = (10, -20, 30)
         rows.append((SPACE * k, 0, R + 1e-4, R, *v, *w))
         for j, (a, b) in enumerate(((R, R), (R / 2, R), (R, R / 2)), start=1):
             z = 0.3
@@ -96,24 +98,29 @@ def impacts(angles, spin=True):
     return [(r[0] - SPACE * len(angles) / 2, *r[1:]) for r in rows]
 
 
-def variant(out, build, changes):
-    """The solver with some texts replaced, as a program."""
-    folder = out / f"variant{len(changes)}"
-    folder.mkdir()
-    shutil.copy(ROOT / "tinydem/tinydem.hpp", folder)
+def variant(build, changes):
+    """The solver with some texts replaced, as a program; it is kept for the next time."""
+    folder = build / f"variants/{len(changes)}"
+    folder.mkdir(parents=True, exist_ok=True)
+    source, program, header = folder / "tinydem.cpp", folder / "tinydem", folder / "tinydem.hpp"
     text = (ROOT / "tinydem/tinydem.cpp").read_text()
     for old, new in changes:
         if text.count(old) != 1:
             raise RuntimeError(f"this must stand once in tinydem.cpp: {old}")
         text = text.replace(old, new)
-    (folder / "tinydem.cpp").write_text(text.replace("#if defined(__x86_64__) && ", "#if 0 && "))
+    wanted = {source: text.replace("#if defined(__x86_64__) && ", "#if 0 && "),
+              header: (ROOT / "tinydem/tinydem.hpp").read_text()}
+    if program.exists() and all(p.exists() and p.read_text() == t for p, t in wanted.items()):
+        return program
+    program.unlink(missing_ok=True)
+    for path, content in wanted.items():
+        path.write_text(content)
     compiler, *flags = (build / "compile.txt").read_text().split("\n")
     flags = [f for f in flags if f and f not in ("-shared", "-fPIC", "-DTINYDEM_NO_MAIN")]
-    done = subprocess.run([compiler, *flags, folder / "tinydem.cpp", "-o", folder / "tinydem"],
-                          capture_output=True, text=True)
+    done = subprocess.run([compiler, *flags, source, "-o", program], capture_output=True, text=True)
     if done.returncode:
         raise RuntimeError(done.stderr[-2000:])
-    return folder / "tinydem"
+    return program
 
 
 def normal_impacts(both):
@@ -135,8 +142,8 @@ def oblique_impacts(both, arm, arm_and_reset):
     the rebounds over the angle."""
     result = {"oblique_1e6": 0, "oblique_1e8": 0, "oblique_same_statements": 0, "reset_alone": 0}
     rows = impacts(list(ANGLES))
-    for k, (E, en, nu, mus) in enumerate((("1e6", 1, .3, .3), ("1e6", .5, .3, .3), ("1e6", .5, 0, .1),
-                                          ("1e8", .5, .3, .3))):
+    materials = (("1e6", 1, .3, .3), ("1e6", .5, .3, .3), ("1e6", .5, 0, .1), ("1e8", .5, .3, .3))
+    for k, (E, en, nu, mus) in enumerate(materials):
         scene = both.scene(f"oblique{k}", rows, PLATE, en=en, nu=nu, E=E, mus=mus, Nframes=1,
                            Nsteps=150)
         ours, theirs = both.ours(scene, f"oblique{k}.ours"), both.theirs(scene, f"oblique{k}.lmp")
@@ -151,8 +158,9 @@ def oblique_impacts(both, arm, arm_and_reset):
 
 
 def sweep(both, out):
-    """Rebounds of both codes over the angle, and their errors over the step; no spin at first."""
-    table = style.read(out / "reference.csv")
+    """Rebounds of both codes over the angle, and their errors over the step; no spin at first, so
+    that all happens in planes: the largest velocity and spin out of them is returned."""
+    left, table = 0.0, style.read(out / "reference.csv")
     v = [(np.sin(a), 0, -np.cos(a)) for a in np.radians(table["angle_deg"])]
     with open(out / "sweep.csv", "w") as csv, open(out / "precision.csv", "w") as work:
         csv.write("code,angle_deg,vx,vz,spin\n")
@@ -167,6 +175,7 @@ def sweep(both, out):
             for code, run in (("TinyDEM", both.ours(scene, f"sweep{k}.ours")),
                               ("LAMMPS", both.theirs(scene, f"sweep{k}.lmp"))):
                 f = run.frame()
+                left = max(left, np.abs(columns(f, "vy,wx,wz")).max())
                 shape = (len(v), len(gaps))
                 vx, vz, spin = f["vx"].reshape(shape), f["vz"].reshape(shape), \
                     R * f["wy"].reshape(shape)
@@ -178,11 +187,12 @@ def sweep(both, out):
                     for n, angle in enumerate(table["angle_deg"]):
                         csv.write(f"{code},{angle:g},{vx[n, 0]:.12g},{vz[n, 0]:.12g},"
                                   f"{spin[n, 0]:.12g}\n")
+    return {"out_of_plane": left}
 
 
 def walls_and_drag(both, same):
-    """Errors of positions [R] and velocities [m/s] for a groove, a vibrating floor (two phases, and along
-    itself) and drag of 3 sizes; same: the solver with LAMMPS' statements of sliding."""
+    """Errors of positions [R] and velocities [m/s] for a groove, a vibrating floor (two phases,
+    and along itself) and drag of 3 sizes; same: the solver with LAMMPS' statements of sliding."""
     groove = both.scene("groove", [(0.001, 0, 0.02, 0.005, 0, 0, -1, 0, 0, 0),
                                    (0.1, 0.02, 0.2, 0.004, 0, 0, 1, 0, 0, 0)], GROOVE,
                         Rmesh=0.001, g="0,0,-9.81", Nframes=1, Nsteps=600)
@@ -199,7 +209,8 @@ def walls_and_drag(both, same):
                          ("vibration_side", "0 vibrate 0.002,0,0 15.3 -1.5707963267948966")):
         scene = both.scene(name, [(0.1 * k, 0, 0.02, 0.005, 0.1 * k, 0, -1, 0, 0, 0)
                                   for k in range(3)], PLATE, motion=motion, g="0,0,-9.81", en=1,
-                           mus=0.2 if name == "vibration_side" else 0, E=1e8, Nframes=1, Nsteps=4000)
+                           mus=0.2 if name == "vibration_side" else 0, E=1e8, Nframes=1,
+                           Nsteps=4000)
         a, b = both.ours(scene, f"{name}.ours", same).frame(), \
             both.theirs(scene, f"{name}.lmp").frame()
         result[name] = difference(a, b, "x,y,z") / 0.005
@@ -224,7 +235,6 @@ def settle(both, out):
     """Three loose beds of 2000 spheres fall into a box, in both codes; then the first one goes on
     for 400 steps on one and on two ranks."""
     side, across = 0.14, 11  # of the box [m]; spheres along it at first
-    cup = CUP.replace("0.1 ", f"{side} ").replace(" 0.1", f" {side}")
     k, j, i = (a.ravel()[:2000] for a in np.meshgrid(*map(np.arange, (20, across, across)),
                                                      indexing="ij"))
     heights = {"TinyDEM": [], "LAMMPS": []}
@@ -235,7 +245,7 @@ def settle(both, out):
         rows = [(*p, 0.005, *v, 0, 0, 0) for p, v in
                 zip(places + 1e-3 * random.uniform(-1, 1, places.shape),
                     random.uniform(-0.3, 0.3, places.shape))]
-        scene = both.scene(f"settle{seed}", rows, cup, mus=0.3, mur=0.3, mut=0.2, g="0,0,-9.81",
+        scene = both.scene(f"settle{seed}", rows, CUP, mus=0.3, mur=0.3, mut=0.2, g="0,0,-9.81",
                            Nframes=20, Nsteps=200)
         with ThreadPoolExecutor(2) as pool:
             runs = [pool.submit(both.ours, scene, f"settle{seed}.ours"),
@@ -259,7 +269,8 @@ def ranks(both, run):
     ends = []
     for n in (1, 2):
         def script(text):
-            return text.replace("\nrun 400\n", "\nvelocity all set 0.1 NULL NULL sum yes\nrun 400\n")
+            push = "\nvelocity all set 0.1 NULL NULL sum yes\nrun 400\n"
+            return text.replace("\nrun 400\n", push)
         there = both.theirs(both.folder / run, f"ranks{n}", n, script, ("--frame", "18"))
         ends.append((there.frame(18), there.frame(20)))
     return {"ranks": difference(ends[0][1], ends[1][1], "x,y,z") / 0.005,
@@ -282,7 +293,8 @@ def collapse(both, out):
             moved[:, :3] += 1e-6 * np.random.default_rng(seed).uniform(-1, 1, (len(table), 3))
             np.savetxt(folder / "particles.csv", moved, "%.17g", ",", header=header, comments="")
             for code, run in (("TinyDEM", both.ours), ("LAMMPS", both.theirs)):
-                jobs.append((code, pool.submit(run, folder / "scene.ini", f"collapse{seed}.{code}")))
+                name = f"collapse{seed}.{code}"
+                jobs.append((code, pool.submit(run, folder / "scene.ini", name)))
         frames = {code: [job.result().frame() for name, job in jobs if name == code]
                   for code in ("TinyDEM", "LAMMPS")}
     edges, rows, means = np.arange(0, 0.26, 0.006), [], {}
@@ -296,20 +308,19 @@ def collapse(both, out):
     (out / "collapse.csv").write_text("code,r,height\n" + "".join(rows))
     off = np.abs(means["LAMMPS"].mean(axis=0) / means["TinyDEM"].mean(axis=0) - 1)
     spread = means["TinyDEM"].std(axis=0, ddof=1) / means["TinyDEM"].mean(axis=0)
-    return {"collapse_height": off[0], "collapse_radius": off[1], "collapse_height_chaos": spread[0],
-            "collapse_radius_chaos": spread[1]}
+    return {"collapse_height": off[0], "collapse_radius": off[1],
+            "collapse_height_chaos": spread[0], "collapse_radius_chaos": spread[1]}
 
 
 def measure(out, build, tools, quick):
     """Runs everything (quick: no beds, for mutants of the hand-off) and writes metrics.csv."""
     both = Both(out, build.parent / "tinydem", tools)
     with ThreadPoolExecutor(2) as pool:
-        arm, same = pool.map(lambda c: variant(out, build, c), (ARM, ARM + RESET))
+        arm, same = pool.map(lambda c: variant(build, c), (ARM, ARM + RESET))
     metrics = {"normal": normal_impacts(both), **oblique_impacts(both, arm, same),
                **walls_and_drag(both, same), **second_run(both)}
     if not quick:
-        metrics.update({**settle(both, out), **collapse(both, out)})
-        sweep(both, out)
+        metrics.update({**sweep(both, out), **settle(both, out), **collapse(both, out)})
     (out / "metrics.csv").write_text("name,value\n" + "".join(f"{name},{value:.12g}\n"
                                                               for name, value in metrics.items()))
 
@@ -351,7 +362,8 @@ def draw(data, out):
 
     fig, ax = style.figure(1, 2)
     for panel, name, x, y, labels in (
-            (ax[0], "settle", "t", "height", ("time / s", "mean height / mm", "2000 spheres settle")),
+            (ax[0], "settle", "t", "height", ("time / s", "mean height / mm",
+                                              "2000 spheres settle")),
             (ax[1], "collapse", "r", "height", ("radius / m", "height of the deposit / mm",
                                                 "a column collapses"))):
         table = style.read(data / f"{name}.csv")
