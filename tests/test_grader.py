@@ -254,7 +254,7 @@ class Feedback(unittest.TestCase):
         answer = SCRATCH / "again.cpp"
         answer.write_text((HERTZ.folder / "mutants" / "two_thirds.cpp").read_text())
         sheet = course.grade(HERTZ, answer, SCRATCH / "build", COMPILER, seeds=[3])
-        for line in (x for x in sheet.lines if not x.full):
+        for line in [x for x in sheet.lines if not x.full][:1]:
             words = re.search(r"again: \./dem (.*)", course.feedback(line, sheet)[-1]).group(1)
             code, said = run(ROOT, *words.split(), "--file", answer, "--json")
             again = json.loads(said)[0]["checks"]

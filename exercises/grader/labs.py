@@ -303,10 +303,9 @@ def judge_prediction(lab, answer):
         return [no("results, but the prediction has no seal, or was changed after it",
                    "a prediction that was sealed first", "take runs and results out, grade, put "
                    "the seal in, then put them back; a seal is void when the prediction changes")]
-    return [no("a prediction without a seal",
-               "this line at the end of [prediction]:   seal = " +
-               seal_of(lab.slug, given, names, time.strftime("%y%m%d-%H%M")),
-               "now your prediction stands; then make the runs")]
+    seal = seal_of(lab.slug, given, names, time.strftime("%y%m%d-%H%M"))
+    return [no("a prediction without a seal", f"seal = {seal}   in [prediction]; copy it, your "
+               "prediction stands from now on, and the runs can begin")]
 
 
 def judge_foresight(lab, answer):
@@ -348,11 +347,11 @@ def band(lab, name, answer):
 
 def judge_band(lab, name, answer):
     have = converted(lab, name, answer)
+    if have is None:  # the band would spoil the prediction
+        return [no(f"no {name}", "a number from your runs")]
     low, high = band(lab, name, answer)
     unit = lab.results[name].unit
     expected = f"{name} from {low:.4g} to {high:.4g} {unit}".rstrip()
-    if have is None:
-        return [no(f"no {name}", expected)]
     off = abs(have[0] - (low + high) / 2) / ((high - low) / 2)
     if off <= 1:
         return [yes()]
