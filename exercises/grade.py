@@ -77,6 +77,8 @@ def show(sheet, partial):
         print(f"  {mark}{line.name:<22}{line.points:>5g}/{line.maximum:<3g}{eq}")
         for text in course.feedback(line, sheet):
             print(textwrap.fill(text, 100, initial_indent=" " * 7, subsequent_indent=" " * 9))
+    for text in (note for line in sheet.lines for note in line.notes):
+        print(textwrap.fill(text, 100, initial_indent="  ", subsequent_indent="    "))
     if sheet.said and sheet.lines[0].points:
         print("  the compiler warns:")
         for text in sheet.said.splitlines()[:8]:
@@ -118,7 +120,8 @@ def watch(exercises, options, compiler):
     while True:
         for exercise in exercises:
             answer = Path(options.file) if options.file else exercise.answer()
-            saved = answer.stat().st_mtime_ns if answer.exists() else None
+            files = answer.glob("*.?pp") if answer.is_dir() else [answer]
+            saved = sum(f.stat().st_mtime_ns for f in files if f.exists())
             if saved != seen.get(exercise.slug):
                 seen[exercise.slug] = saved
                 if saved:
@@ -133,8 +136,9 @@ def do_grade(options):
         from grader import selftest
         return selftest.run(exercises, BUILD, options)
     check_names(exercises, options.check)
-    if options.file and (len(exercises) > 1 or not Path(options.file).is_file()):
-        raise course.Mistake(f"--file {options.file} must be a file, and goes with one exercise")
+    if options.file and (len(exercises) > 1 or not exercises[0].accepts(Path(options.file))):
+        raise course.Mistake(f"--file {options.file} must be a file (13, 14: a folder with the two "
+                             "files), and goes with one exercise")
     compiler = compiler_for(options)
     if options.watch:
         try:

@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 EXERCISES = ROOT / "exercises"
 sys.path.insert(0, str(EXERCISES))
-from grader import classroom, course, program, selftest  # noqa: E402  (after the path is known)
+from grader import classroom, course, program, selftest, solver  # noqa: E402  (after the path is known)
 
 HERTZ = course.Exercise(EXERCISES / "01-hertz-force")
 SOLUTION = (HERTZ.folder / "solution.cpp").read_text()
@@ -339,6 +339,17 @@ def squeezed_code(line):
     return re.sub(r"\s", "", line.split("//")[0])
 
 
+def given_and_solved(exercise):
+    """All that is handed out to begin with, and all solutions, as two texts."""
+    if exercise.kind == "solver":
+        files = [exercise.solver_texts(exercise.folder / f"{name}.py")
+                 for name in ("solution", "solution2")]
+        return ("\n".join(solver.read(exercise.solver).values()),
+                "\n".join(text for both in files for text in both.values()))
+    return ["\n".join((exercise.folder / name).read_text() for name in names)
+            for names in (("starter.cpp", "exercise.hpp"), ("solution.cpp", "solution2.cpp"))]
+
+
 class HandOut(unittest.TestCase):
     """The tree for students, used as a student would."""
 
@@ -367,10 +378,9 @@ class HandOut(unittest.TestCase):
         texts = {**self.files, **{p: squeezed(p) for e in every for name in classroom.HANDED_OUT
                                   for p in e.folder.glob(name)}}
         for e in every:
-            given = [squeezed_code(line) for name in ("starter.cpp", "exercise.hpp")
-                     for line in (e.folder / name).read_text().splitlines()]
-            codes = {squeezed_code(line) for name in ("solution.cpp", "solution2.cpp")
-                     for line in (e.folder / name).read_text().splitlines()} - set(given)
+            given, solved = given_and_solved(e)
+            codes = {squeezed_code(line) for line in solved.splitlines()}
+            codes -= {squeezed_code(line) for line in given.splitlines()}
             codes = {code for code in codes if len(code) > 12 and "#include" not in code}
             self.assertGreater(len(codes), 4, e.slug)
             self.assertEqual([(p.name, c) for p, text in texts.items() for c in codes
@@ -491,6 +501,70 @@ class GradeBook(unittest.TestCase):
                 f"  return table[k++ % {len(values)}];\n}}\n")
         self.assertEqual(lost(graded(text, ["equal_spheres"])), set())
         self.assertEqual(lost(graded(text, ["equal_spheres"], seeds=[1, 77])), {"equal_spheres"})
+
+
+class SolverCopies(unittest.TestCase):
+    """Exercises that change the solver: hand-out, grade and gradebook take a folder of two files."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.exercise = next(e for e in course.find_exercises(EXERCISES) if e.slug == "13-adhesion")
+        cls.right = cls.exercise.solver_texts(cls.exercise.folder / "solution.py")
+
+    def test_changes_must_fit_the_solver(self):
+        """A change whose place is gone, or not unique, says where and what to do."""
+        texts = solver.read(self.exercise.solver)
+        for old, times in ("no such line", 0), ("namespace tinydem", 6):
+            found = sum(text.count(old) for text in texts.values())
+            self.assertEqual(found > 1, times > 1)
+            with self.assertRaisesRegex(ValueError, f"here.py: '{old}' stands {found} times"):
+                solver.changed(texts, [(old, "new")], "here.py")
+
+    def test_which_folder_is_an_answer(self):
+        student = SCRATCH / "solver students" / "ann"
+        self.assertIsNone(classroom.find_answer(student, self.exercise))
+        for place in "exercises/13-adhesion/answer", "13":
+            solver.write(self.right, student / place)
+            self.assertEqual(classroom.find_answer(student, self.exercise), student / place)
+        (student / "13" / "tinydem.hpp").unlink()  # then that of the solver as it is
+        self.assertEqual(classroom.find_answer(student, self.exercise), student / "13")
+        self.assertEqual(self.exercise.solver_texts(student / "13")["tinydem.hpp"],
+                         (ROOT / "tinydem" / "tinydem.hpp").read_text())
+        (student / "13" / "tinydem.hpp").symlink_to(ROOT / "tinydem" / "tinydem.hpp")
+        self.assertNotEqual(classroom.find_answer(student, self.exercise), student / "13")
+
+    def test_hand_out_and_gradebook(self):
+        """The hand-out has the solver and a copy to edit, and no change of the solution."""
+        tree, output = SCRATCH / "solver tree", SCRATCH / "solver grades"
+        code, said = run(ROOT, "handout", tree, "13")
+        self.assertEqual(code, 0, said)
+        for name in solver.FILES:
+            text = (tree / "tinydem" / name).read_text()
+            self.assertEqual(text, (ROOT / "tinydem" / name).read_text())
+            self.assertEqual(text, (tree / "exercises/13-adhesion/answer" / name).read_text())
+        self.assertEqual([p.name for p in tree.rglob("*") if p.is_file() and (
+            "CHANGES = " in p.read_text(errors="replace") and p.name != "solver.py")], [])
+        code, said = run(tree, "grade", "13", "--check", "apart", "--check", "parameter")
+        self.assertEqual(code, 1, said)
+        self.assertIn("'gamma' is unknown", said)
+        solver.write(self.right, tree / "exercises/13-adhesion/answer")
+        code, said = run(tree, "grade", "13", "--seed", "3")
+        self.assertRegex(said, r"13 .* 100/100")
+        hostile = {**self.right, "tinydem.cpp": self.right["tinydem.cpp"].replace(
+            "void Simulation::run(long n) {", "void Simulation::run(long n) {\n  if (p.gamma > 1) "
+            "std::exit(0);\n  if (p.eta > 0) for (volatile bool on = true; on;) {}", 1)}
+        for name, texts in ("right", self.right), ("hostile", hostile):
+            solver.write(texts, SCRATCH / "solver class" / name / "13")
+        code, said = run(ROOT, "gradebook", SCRATCH / "solver class", "13", "--output", output,
+                         "--seed", "7")
+        self.assertEqual(code, 0, said)
+        with open(output / "grades.csv", newline="") as file:
+            rows = {row["student"]: row for row in csv.DictReader(file)}
+        self.assertEqual(float(rows["right"]["points"]), 100)
+        self.assertIn("two_spheres", rows["hostile"]["lost"])
+        self.assertIn("unchanged", rows["hostile"]["lost"])
+        self.assertNotIn("ceiling", rows["hostile"]["lost"])
+        self.assertEqual(float(rows["hostile"]["builds"]), 5)
 
 
 class CommandLine(unittest.TestCase):

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as xml
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import course, labs
+from . import course, labs, solver
 
 DEM = """#!/bin/sh
 # The exercises. ./dem grade 01 builds and grades your answer, ./dem progress shows where you are.
@@ -26,7 +26,7 @@ exec "$python" "$here/exercises/grade.py" "$@"
 # What a student gets of an exercise; everything else stays with the teacher.
 HANDED_OUT = ["README.md", "exercise.hpp", "checks.cpp", "checks.py", "starter.cpp", "*.png",
               "*.svg"]
-GRADER = ["__init__.py", "course.py", "program.py", "vec.py", "sandbox.cpp", "labs.py",
+GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sandbox.cpp", "labs.py",
           "lab_runs.py"]
 # Of a lab sheet, and what its runs need: the program, its scenes, and a front door that builds it.
 LAB_HANDED_OUT = ["README.md", "lab.py", "starter.ini", "*.png"]
@@ -40,9 +40,9 @@ def expected_values(exercise, build, compiler):
     """The reference's results for the public seeds, as the checks ask for them."""
     exercise.recorded.clear()
     for seed in course.PUBLIC_SEEDS:
-        sheet = course.grade(exercise, exercise.folder / "solution.cpp", build, compiler, [seed])
+        sheet = course.grade(exercise, exercise.folder / f"solution{exercise.suffix}", build, compiler, [seed])
         if not all(line.full for line in sheet.lines):
-            raise course.BadExercise(f"{exercise.slug}: solution.cpp has {sheet.points:g} points "
+            raise course.BadExercise(f"{exercise.slug}: the solution has {sheet.points:g} points "
                                      f"with seed {seed}; run ./dem grade {exercise.number} "
                                      "--self-test")
     return dict(sorted(exercise.recorded.items()))
@@ -75,7 +75,7 @@ def handout_labs(top, directory, sheets):
     readme = student_readme((top / "labs" / "README.md").read_text(), sheets, "")
     (inside / "README.md").write_text(readme)
     copy(PROGRAM, top.parent, directory)
-    shutil.copytree(top.parent / "tinydem", directory / "tinydem",
+    shutil.copytree(top.parent / "tinydem", directory / "tinydem", dirs_exist_ok=True,
                     ignore=shutil.ignore_patterns("__pycache__"))
     return student_front_door((top.parent / "dem").read_text())
 
@@ -94,12 +94,17 @@ def handout(top, directory, exercises, build, compiler):
     inside = directory / "exercises"
     copy(["grade.py", ".gitignore"], top, inside)
     copy(GRADER, top / "grader", inside / "grader")
-    copy(["*.hpp"], top / "include", inside / "include")
+    copy(["*.hpp", "*.cpp"], top / "include", inside / "include")
     sheets = [e for e in exercises if isinstance(e, labs.Lab)]
+    if any(e.kind not in ("functions", "lab") for e in exercises):
+        copy(solver.FILES, top.parent / "tinydem", directory / "tinydem")
     for exercise in (e for e in exercises if e not in sheets):
         folder = inside / exercise.slug
         copy(HANDED_OUT, exercise.folder, folder)
-        shutil.copy(folder / "starter.cpp", folder / "answer.cpp")
+        if exercise.kind == "solver":
+            copy(solver.FILES, exercise.solver, folder / "answer")
+        else:
+            shutil.copy(folder / "starter.cpp", folder / "answer.cpp")
         values = expected_values(exercise, build, compiler)
         (folder / "expected.json").write_text(json.dumps(values) + "\n")
     copy(["LICENSE"], top.parent, directory)
@@ -115,9 +120,20 @@ def handout(top, directory, exercises, build, compiler):
 
 def find_answer(student, exercise):
     """A student's answer, or None. A link that leads out of the student's directory is none."""
+    slug, number = exercise.slug, exercise.number
+
+    def own(path):
+        return path.is_file() and student.resolve() in path.resolve().parents
+
+    if exercise.kind == "solver":
+        for name in number, f"{number}/answer", slug, f"{slug}/answer", f"exercises/{slug}/answer":
+            here = [student / name / file for file in solver.FILES]
+            if any(map(own, here)) and all(own(f) or not f.exists() for f in here):
+                return student / name
+        return None
     for name in exercise.submissions:
         path = student / name
-        if path.is_file() and student.resolve() in path.resolve().parents:
+        if own(path):
             return path
     return None
 

@@ -174,7 +174,7 @@ class Result:
 class Lab:
     """A folder labs/NAME: README.md, lab.py, starter.ini, and for the instructor runs.csv,
     solution.ini, solution2.ini, mutants/."""
-    answer_name = "answer.ini"
+    answer_name, kind, suffix = "answer.ini", "lab", ".ini"
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -205,11 +205,19 @@ class Lab:
         return [f"lab-{name}.ini", f"lab-{name}/answer.ini", f"{name}/answer.ini",
                 f"labs/{name}/answer.ini", f"exercises/labs/{name}/answer.ini"]
 
+    def starter(self):
+        """What the answer is made from."""
+        return self.folder / "starter.ini"
+
+    def accepts(self, path):
+        """Can this file be an answer?"""
+        return path.is_file()
+
     def answer(self):
         """The file that the student edits; made from the starter at first."""
         path = self.folder / self.answer_name
         if not path.exists():
-            path.write_text((self.folder / "starter.ini").read_text())
+            path.write_text(self.starter().read_text())
         return path
 
     def load(self, path):

@@ -48,11 +48,11 @@ def mismatch(kind, sheet, promise):
 
 def subjects(exercise):
     """(name, kind, path, promise) of everything that is graded."""
-    folder, ending = exercise.folder, ".ini" if hasattr(exercise, "sheet") else ".cpp"
-    yield "starter", "starter", folder / f"starter{ending}", {}
+    folder = exercise.folder
+    yield "starter", "starter", exercise.starter(), {}
     for name in "solution", "solution2":
-        yield name, "solution", folder / f"{name}{ending}", {}
-    for path in sorted((folder / "mutants").glob(f"*{ending}")):
+        yield name, "solution", folder / f"{name}{exercise.suffix}", {}
+    for path in sorted((folder / "mutants").glob(f"*{exercise.suffix}")):
         yield path.stem, "mutant", path, promised(path)
 
 
