@@ -1,4 +1,4 @@
-"""Lab sheets: no program is written, a scene is run and measured; the answer is numbers with errors.
+"""Lab sheets: a scene is run and measured; the answer is numbers with errors, no program.
 
 A sheet is a folder labs/NAME/, see ../labs/AUTHORING.md. Its answer, answer.ini, has three parts:
 
@@ -21,9 +21,9 @@ from .course import Check, Line, Mistake, Outcome, Sheet
 
 FULL_BAND = 3.0     # standard deviations that a result of so many runs may be off; twice: half
 DRAWS = 400         # students who are drawn from the instructor's runs to know their scatter
-NEAR = 1.5          # factor by which an error may differ from what the runs say: one digit is enough
+NEAR = 1.5          # factor by which an error may differ from what the runs say
 FAR = 5.0           # and from what the instructor's runs say, in any case
-SCATTER = (0.25, 2.5)  # of the student's runs over the instructor's: outside less than 1 in 1000
+SCATTER = (0.25, 2.5)  # of the student's runs over the instructor's: chance hardly ever leaves it
 TRENDS = ("rises", "falls", "stays")
 SECTIONS = ("prediction", "runs", "result")
 QUANTITY = re.compile(r"^([-+.\deE]+)(?:\s*(?:\+-|\+/-|±)\s*([-+.\deE]+))?\s*([a-zA-Z/^0-9%]*)$")
@@ -387,7 +387,8 @@ def judge_trend(lab, answer):
     said = answer["result"].get("trend", "nothing")
     if found == said == lab.sheet.TREND:
         return [yes()]
-    return [no(f"in the runs it {found} ({', '.join(f'{v:.4g}' for v in levels)}), in words: {said}",
+    numbers = ", ".join(f"{v:.4g}" for v in levels)
+    return [no(f"in the runs it {found} ({numbers}), in words: {said}",
                "the same in both, and what other runs of this scene show")]
 
 
