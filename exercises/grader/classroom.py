@@ -31,7 +31,7 @@ GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sand
 # Of a lab sheet, and what its runs need: the program, its scenes, and a front door that builds it.
 LAB_HANDED_OUT = ["README.md", "lab.py", "starter.ini", "*.png"]
 PROGRAM = ["CMakeLists.txt", "CMakePresets.json"]
-FOR_TEACHERS = "test|verify|bench|handout|gradebook"  # verbs of ./dem
+FOR_TEACHERS = "test|verify|bench|docs|handout|gradebook"  # verbs of ./dem
 
 
 # ------------------------------------------------------------------------------------- hand-out

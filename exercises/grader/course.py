@@ -469,7 +469,7 @@ def feedback(line, sheet, equations=False):
         texts.append(line.problem)
     if line.printed:
         texts.append(f"it printed: {line.printed.splitlines()[0][:70]}")
-    public = line.seed in PUBLIC_SEEDS
+    seed = f" --seed {line.seed}" if line.seed in PUBLIC_SEEDS else "   (with hidden inputs)"
     texts.append(f"again: ./dem grade {sheet.exercise.number} --check {line.name}"
-                 + (f" --seed {line.seed}" if public else "   (this was with hidden inputs)"))
+                 + ("" if hasattr(sheet.exercise, "sheet") else seed))
     return [printable(x) for x in texts]

@@ -1,4 +1,4 @@
-"""Lab sheets: no program is written, a scene is run and measured; the answer is numbers with errors.
+"""Lab sheets: a scene is run and measured; the answer is numbers with errors, no program.
 
 A sheet is a folder labs/NAME/, see ../labs/AUTHORING.md. Its answer, answer.ini, has three parts:
 
@@ -21,9 +21,9 @@ from .course import Check, Line, Mistake, Outcome, Sheet
 
 FULL_BAND = 3.0     # standard deviations that a result of so many runs may be off; twice: half
 DRAWS = 400         # students who are drawn from the instructor's runs to know their scatter
-NEAR = 1.5          # factor by which an error may differ from what the runs say: one digit is enough
+NEAR = 1.5          # factor by which an error may differ from what the runs say
 FAR = 5.0           # and from what the instructor's runs say, in any case
-SCATTER = (0.25, 2.5)  # of the student's runs over the instructor's: outside less than 1 in 1000
+SCATTER = (0.25, 2.5)  # of the student's runs over the instructor's: chance hardly ever leaves it
 TRENDS = ("rises", "falls", "stays")
 SECTIONS = ("prediction", "runs", "result")
 QUANTITY = re.compile(r"^([-+.\deE]+)(?:\s*(?:\+-|\+/-|±)\s*([-+.\deE]+))?\s*([a-zA-Z/^0-9%]*)$")
@@ -311,10 +311,9 @@ def judge_prediction(lab, answer):
         return [no("results, but the prediction has no seal, or was changed after it",
                    "a prediction that was sealed first", "take runs and results out, grade, put "
                    "the seal in, then put them back; a seal is void when the prediction changes")]
-    return [no("a prediction without a seal",
-               "this line at the end of [prediction]:   seal = " +
-               seal_of(lab.slug, given, names, time.strftime("%y%m%d-%H%M")),
-               "now your prediction stands; then make the runs")]
+    seal = seal_of(lab.slug, given, names, time.strftime("%y%m%d-%H%M"))
+    return [no("a prediction without a seal", f"seal = {seal}   in [prediction]; copy it, your "
+               "prediction stands from now on, and the runs can begin")]
 
 
 def judge_foresight(lab, answer):
@@ -356,11 +355,11 @@ def band(lab, name, answer):
 
 def judge_band(lab, name, answer):
     have = converted(lab, name, answer)
+    if have is None:  # the band would spoil the prediction
+        return [no(f"no {name}", "a number from your runs")]
     low, high = band(lab, name, answer)
     unit = lab.results[name].unit
     expected = f"{name} from {low:.4g} to {high:.4g} {unit}".rstrip()
-    if have is None:
-        return [no(f"no {name}", expected)]
     off = abs(have[0] - (low + high) / 2) / ((high - low) / 2)
     if off <= 1:
         return [yes()]
@@ -388,7 +387,8 @@ def judge_trend(lab, answer):
     said = answer["result"].get("trend", "nothing")
     if found == said == lab.sheet.TREND:
         return [yes()]
-    return [no(f"in the runs it {found} ({', '.join(f'{v:.4g}' for v in levels)}), in words: {said}",
+    numbers = ", ".join(f"{v:.4g}" for v in levels)
+    return [no(f"in the runs it {found} ({numbers}), in words: {said}",
                "the same in both, and what other runs of this scene show")]
 
 

@@ -153,7 +153,7 @@ def chance(ax):
         axis.set_major_formatter(style.plt.ScalarFormatter())
         axis.set_minor_formatter(style.plt.NullFormatter())
     ax.legend()
-    style.label(ax, "independent throats", "error of the share", "four times the throats: half of it")
+    style.label(ax, "independent throats", "error of the share", "four times as many: half of it")
 
 
 def nuts(ax):

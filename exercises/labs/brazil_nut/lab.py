@@ -27,8 +27,8 @@ def levels(rows):
 
 
 RESULTS = {
-    "cycles": Result("cycles until a large ball is up, at A = 5 mm", {"cycles": 1, "s": 13.651}, (20, 70),
-                     mean_at("cycles", "A", 5)),
+    "cycles": Result("cycles until a large ball is up, at A = 5 mm", {"cycles": 1, "s": 13.651},
+                     (20, 70), mean_at("cycles", "A", 5)),
     "exponent": Result("q in cycles ~ A^q", {"": 1}, (-3.2, -0.8),
                        power_between("cycles", "A", 4, 6.25, 6.25 / 4)),
 }
