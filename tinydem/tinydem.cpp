@@ -473,8 +473,7 @@ template <class F> void Simulation::each_contact(const F& found) const {
     const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x, bi.v) : Body<real>(grains[j]);
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
     int heir = -1; if (j < 0 && !is_nearest(b, k, bj, heir)) continue;
-    Springs<real> u{}; if (touching & 1) heir = k;
-    if (friction && heir >= 0) u = b.springs[heir];
+    Springs<real> u{}; if (touching & 1) heir = k; if (friction && heir >= 0) u = b.springs[heir];
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
