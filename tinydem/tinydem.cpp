@@ -16,15 +16,13 @@ struct Option { const char *name, *dimension, *range, *help; void* at; char type
 #define TINYDEM_OPTION(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
 static vector<Option> options(Parameters& p) { return {TINYDEM_PARAMETERS(TINYDEM_OPTION)}; }
 static string text(const Reals& values, int digits = 0) { string s;
-  for (const real& a : values) s += (&a == &values[0] ? "" : ",") + text(a, digits);
-  return s; }
+  for (const real& a : values) { s += (&a == &values[0] ? "" : ",") + text(a, digits); } return s; }
 static string text(const Option& o) { return o.type == 's' ? o.as<string>() : text(o.numbers()); }
 /// Stores the text of a setting; false when it is malformed.
 static bool assign(const Option& o, const string& s) {
   const auto words = split(o.range, '|');
-  const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s);
+  const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s); Reals a;
   if (o.type == 's') return o.as<string>() = s, known;
-  Reals a;
   for (const string& word : split(s, ',')) if (a.push_back(0); !parse(word, a.back())) return false;
   if (o.type == 'R') return o.as<Reals>() = a, true;
   if (a.size() != o.numbers().size()) return false;
@@ -55,8 +53,7 @@ static bool in_range(const Option& o, const Parameters& p) {
 static long distance(const string& a, const string& b) { long d = 0;
   const auto in = [](auto& s, int c) { return std::count_if(s.begin(), s.end(), [c](int l) {
     return std::tolower(l) == c; }); };
-  for (int c = '0'; c <= 'z'; ++c) d += abs(in(a, c) - in(b, c));
-  return d; }
+  for (int c = '0'; c <= 'z'; ++c) { d += abs(in(a, c) - in(b, c)); } return d; }
 vector<Setting> read_scene(const string& path) { Reader in(path); vector<Setting> all;
   while (in.next('=')) {
     if (in.tokens.size() != 2) in.complain("'" + in.line + "' must be name = value");
@@ -331,8 +328,7 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
       problems.add("particle " + to_string(c.i + 1), "overlaps " +
           (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
           " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it"); });
-  supplied += elastic;
-  if (problems.count == 0 && !std::isfinite(supplied))
+  supplied += elastic; if (problems.count == 0 && !std::isfinite(supplied))
     problems.add("particles", "have no finite energy; slow them down");
   problems.stop_if_any(); }
 void Simulation::sort_elements() {
@@ -432,7 +428,8 @@ void Simulation::list_neighbours() {
     first_pair.assign(size_t(slabs.back().last), 0);
     for (const Slab& b : slabs) for (int k = count(b.pairs); k-- > 0;) first_pair[b.pairs[k].i] = k;
     sort_particles(), old.swap(slabs);
-    slabs.assign(size_t(std::clamp(2 * std::cbrt(size() / 1000.0), 1.0, 64.0)), Slab());
+    const double halvings = std::log2(max(size(), 1) / 125.0) / 3;  // slabs end as boxes do
+    slabs.assign(size_t(1) << std::clamp(int(halvings), 0, 6), Slab());
     for (long k = 0, n = count(slabs); k < n; ++k)
       slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n); }
 #pragma omp for schedule(static)
@@ -630,8 +627,7 @@ static void run(const Command& command) {
   for (long frame = first; frame <= p.Nframes; ++frame) {
     const double begin = now(); if (frame > 0) s.run(p.Nsteps);
     const Summary e = write_frame(s, frame, 1e9 * double(s.size() * p.Nsteps) / (now() - begin));
-    if (!command.quiet)
-      std::cout << "frame " << frame << "/" << p.Nframes << "  t = " << s.time()
+    if (!command.quiet) std::cout << "frame " << frame << "/" << p.Nframes << "  t = " << s.time()
                 << "  N = " << s.size() << "  contacts = " << e.contacts
                 << "  kinetic energy = " << e.kinetic + e.rotational << std::endl;
     const double each = 1e-9 * (now() - start) / double(max(frame - first, 1L));
