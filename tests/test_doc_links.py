@@ -11,6 +11,7 @@ TOOLS = Path(__file__).resolve().parents[1] / "docs/tools"
 sys.path.insert(0, str(TOOLS))
 import equations  # noqa: E402
 import links  # noqa: E402
+import make_site  # noqa: E402
 import symbols  # noqa: E402
 
 
@@ -85,6 +86,32 @@ class Site(Folder):
                             '<a href="sub"></a>')
         faults, _ = links.check_site(self.root)
         self.assertEqual(len(faults), 5, faults)
+
+
+class Preparation(Folder):
+    """What Sphinx gets to see of a page."""
+
+    def test_links_lead_to_pages_of_the_site(self):
+        pages = make_site.Pages(self.root)
+        for line, expected in (
+                ("[a](deviations.md#d1)", "[a](deviations.md#d1)"),
+                ("[b](../README.md)", "[b](../index.md)"),
+                ("[c](../exercises)", "[c](../exercises/README.md)"),
+                ("[`d`](../tinydem/tinydem.cpp#L12-L15)",
+                 '<a href="../source/tinydem/tinydem.cpp.html#L-12">`d`</a>'),
+                ("[e](https://a.b) [f](#g) `[h](i.md)`", "[e](https://a.b) [f](#g) `[h](i.md)`"),
+                ("![j](images/heap.png)", "![j](images/heap.png)"),
+                ("[k](images/heap.png)", '<a href="../source/docs/images/heap.png">k</a>')):
+            self.assertEqual(pages.links_of("docs/equations.md", line), expected)
+        self.assertTrue((self.root / "docs/images/heap.png").exists())
+        self.assertEqual(pages.sources, {"tinydem/tinydem.cpp", "docs/images/heap.png"})
+        with self.assertRaises(SystemExit):
+            pages.links_of("docs/equations.md", "[l](missing.cpp)")
+
+    def test_every_page_is_in_the_side_bar_once(self):
+        pages = make_site.Pages(self.root)
+        listed = [name for _, these in pages.contents() for name in these]
+        self.assertEqual(sorted(listed), sorted({*pages.names, "reference.md"} - {"README.md"}))
 
 
 class Equations(unittest.TestCase):

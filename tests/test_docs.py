@@ -106,7 +106,7 @@ class Copy:
         self.stand_in(self.root / "dem", "dem")
         (self.root / "build/default").mkdir(parents=True)
         self.stand_in(self.root / "build/default/tinydem", "tinydem")
-        (commands / "python3").symlink_to(sys.executable)
+        self.program(commands / "python3", f'"{sys.executable}"')
         self.environment = {
             **os.environ, "PATH": f"{commands}:{os.environ['PATH']}", "HOME": str(self.root),
             "TINYDEM": str(Path(program).resolve()), "DOCS_COPY": str(self.root),
@@ -126,10 +126,14 @@ class Copy:
                 inside and name in ("build", "output")]
 
     @staticmethod
-    def stand_in(path, name):
-        """Writes a program that leaves a command to docs_commands.py."""
-        path.write_text(f'#!/bin/sh\nexec "{sys.executable}" "{COMMANDS}" {name} "$@"\n')
+    def program(path, command):
+        """Writes a program that runs a command with its arguments."""
+        path.write_text(f'#!/bin/sh\nexec {command} "$@"\n')
         path.chmod(0o755)
+
+    def stand_in(self, path, name):
+        """Writes a program that leaves a command to docs_commands.py."""
+        self.program(path, f'"{sys.executable}" "{COMMANDS}" {name}')
 
     def run(self, *words, text=None):
         """Runs a command from the root of the copy; what it prints. Fault unless it succeeds."""
@@ -152,8 +156,8 @@ class Copy:
     # ------------------------------------------------------------------------------- languages
 
     def sh(self, block):
-        """Run; the commands of docs_commands.py are cut short."""
-        self.printed = self.run("sh", "-e", "-c", block.text)
+        """Run; the commands of docs_commands.py are cut short. Failures before `&&` count."""
+        self.printed = self.run("sh", "-e", "-c", block.text.replace(" && ", " ; "))
 
     bash = sh
 
@@ -241,6 +245,8 @@ class Copy:
         """Does what the language and the marker of a block ask for."""
         what, _, rest = block.marker.partition(" ")
         language = block.language or "text"
+        if not block.text.strip():
+            raise Fault("is empty")
         if what and not hasattr(self, "mark_" + what):
             raise Fault(f"there is no marker '{what}'")
         if what:
@@ -364,6 +370,8 @@ class Rules(InCopies):
                 ("sh", "g++ -std=c++71 -o tinydem tinydem/tinydem.cpp", "", "c++71"),
                 ("sh", "tinydem --mus -1", "", "mus = '-1'"),
                 ("sh", "nosuchprogram", "", "nosuchprogram"),
+                ("sh", "cd nosuchfolder && true\ntrue", "", "nosuchfolder"),
+                ("text", " ", "", "is empty"),
                 ("python", "import nosuchmodule", "", "nosuchmodule"),
                 ("cpp", "int x;", "", "part of a program"),
                 ("cpp", "int main() { return y; }", "", "not declared in this scope"),

@@ -36,9 +36,9 @@ ALIKE = 1e-9         # planes are one if their normals and places [size of the m
 COVERED = 1e-6       # share of a wall that may be missing in its faces: digits of an OFF file
 PHASE_STEPS = 10**6  # steps among which the phase of a vibration is looked for
 DUMP = "id type radius mass x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz"
-SLIDING = "sliding: the velocity at the contact takes the lever arm R (at walls the torque as well) " \
-    "where TinyDEM takes R - delta/2, and a spring that slips is reset as printed in Eq. (55), see " \
-    "D2 in docs/deviations.md; see docs/scaling.md for how much impacts differ"
+SLIDING = "sliding: the velocity at the contact takes the lever arm R (at walls the torque too) " \
+    "where TinyDEM takes R - delta/2, and a spring that slips is reset as printed in Eq. (55), " \
+    "D2 in docs/deviations.md; docs/scaling.md tells how much impacts differ"
 FILES = {False: ("data.tinydem", "in.tinydem"), True: ("data.tinydem", "in.liggghts", "mesh.stl")}
 
 
@@ -509,7 +509,7 @@ def write_lammps(state, folder, args):
               "dump_modify frames sort id format float %.17g",
               f"thermo {p['Nsteps']}", "thermo_modify lost error",
               f"run {state.ahead * p['Nsteps']}",
-              "# To go on in this script: `run N pre no`. A plain `run` makes the walls bounce more."]
+              "# To go on here: `run N pre no`. A plain `run` would make the walls bounce more."]
     (folder / "in.tinydem").write_text("\n".join(lines) + "\n")
     return notes + lammps_notes(p, classes, planes_now, elements, boundary, args, springs)
 
@@ -595,7 +595,7 @@ def write_liggghts(state, folder, args):
                (low, high), f"TinyDEM frame {state.number}")
     law = "model hertz tangential " + ("history" if p["mus"] > 0 else "off")
     law += " rolling_friction epsd3" if p["mur"] > 0 else ""
-    law += " tangential_damping off" if p["mus"] > 0 else ""
+    options = " tangential_damping off" if p["mus"] > 0 else ""
     prop = "fix {0} all property/global {1} "
 
     def pairs(name, value):
@@ -604,7 +604,8 @@ def write_liggghts(state, folder, args):
     lines = ["# Written by TinyDEM's lammps.py --liggghts: same normal law, approximate friction.",
              "# mpirun -np N liggghts -in in.liggghts (not with -screen none)",
              "units si", "atom_style granular", "boundary m m m", "newton off",
-             "communicate single vel yes", "soft_particles yes", "read_data data.tinydem",
+             "communicate single vel yes", "soft_particles yes",
+             "hard_particles yes", "read_data data.tinydem",
              f"neighbor {R.mean() / 2:.6g} bin", "neigh_modify delay 0",
              prop.format("youngsModulus", "youngsModulus") + f"peratomtype {p['E']:.17g} 1e30",
              prop.format("poissonsRatio", "poissonsRatio") + f"peratomtype {p['nu']:.17g} "
@@ -612,17 +613,16 @@ def write_liggghts(state, folder, args):
              pairs("coefficientRestitution", p["en"]), pairs("coefficientFriction", p["mus"])]
     if p["mur"] > 0:
         lines += [pairs("coefficientRollingFriction", p["mur"]),
-                  pairs("rollingStiffness", p["mur"]**-2),
+                  prop.format("rollingStiffness", "rollingStiffness")
+                  + f"scalar {p['mur']**-2:.17g}",
                   pairs("coefficientRollingViscousDamping", damping_ratio(p["en"]))]
-    lines += [f"pair_style gran {law}", "pair_coeff * *", f"timestep {p['dt']:.17g}",
+    lines += [f"pair_style gran {law}{options}", "pair_coeff * *", f"timestep {p['dt']:.17g}",
               "fix motion all nve/sphere"]
     if g.any():
         lines.append(f"fix weight all {gravity_words(p)}")
     if elements:
         lines += ["fix mesh all mesh/surface file mesh.stl type 2",
-                  f"fix walls all wall/gran {law.replace('tangential_damping off', '').strip()}"
-                  f"{' tangential_damping off' if p['mus'] > 0 else ''} "
-                  "mesh n_meshes 1 meshes mesh"]
+                  f"fix walls all wall/gran {law} mesh n_meshes 1 meshes mesh{options}"]
     form = " ".join(["%d", "%d"] + ["%.17g"] * (len(DUMP.split()) - 2))
     lines += [f"dump frames all custom {p['Nsteps']} frame.*.dump {DUMP}",
               f'dump_modify frames sort id format "{form}"', f"thermo {p['Nsteps']}",

@@ -204,12 +204,13 @@ bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, int& heir
     return pairs[l].i == i && pairs[l].j < 0 && group(l) == group(k); };
   const auto point = [&](int l, const Vec3& x) { return wall(-1 - pairs[l].j, x).x; };
   const auto on = [&](int l, const Vec3& x) { return norm(x - point(l, x)) < same_point * a.R; };
+  const real near = same_point * a.R + p.dt * norm(a.v - c.v);  // as far as a step moves c
   bool nearest = true; int l = k; for (heir = -1; l > 0 && rival(l - 1);) --l;
   for (; l < count(pairs) && rival(l); ++l) if (l != k) {
     const Vec3 q = point(l, a.x), up = a.x - q; const real far = square(up) - square(a.x - c.x);
     const bool above = dot(c.x - q, up) > same_point * square(a.R);  // then c is not on l
     if (far < 0 || (far == 0 && l < k)) nearest = nearest && (above || !on(l, c.x));
-    else if (fresh && (pairs[l].touching >> (l < k)) & 1 && on(k, q)) heir = l; }
+    else if (fresh && (pairs[l].touching >> (l < k)) & 1 && norm(q - c.x) < near) heir = l; }
   return nearest; }
 /// Updates the state of a contact with the mesh: its springs come over a seam, turn with the group.
 bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, bool touch) {
@@ -471,8 +472,8 @@ template <class F> void Simulation::each_contact(const F& found) const {
     if (0 <= j && j < i) continue;  // one half of those across slabs
     const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x, bi.v) : Body<real>(grains[j]);
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
-    if (int heir; j < 0 && !is_nearest(b, k, bj, heir)) continue;
-    Springs<real> u = touching & 1 && friction ? b.springs[k] : Springs<real>{};
+    int heir = -1; if (j < 0 && !is_nearest(b, k, bj, heir)) continue;
+    Springs<real> u{}; if (touching & 1) heir = k; if (friction && heir >= 0) u = b.springs[heir];
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
@@ -524,7 +525,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   const string part = path.string() + ".part";
   std::fstream file(part, std::ios::binary | std::ios::out); std::error_code error;
   if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
-  if (file && !error) return; fs::remove(part, error);
+  if (!file || error) fs::remove(part, error); else return;
   throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {

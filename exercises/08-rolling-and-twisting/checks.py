@@ -11,6 +11,7 @@ CONTACT = "n_x n_y n_z r_i r_j R* f_n k_n c_n k_s c_s"
 FUNCTIONS = {"relative_spin": (CONTACT + " w_ix w_iy w_iz w_jx w_jy w_jz", "v_rx v_ry v_rz v_t"),
              "resisting_torque": ("u_rx u_ry u_rz u_t " + CONTACT + " v_rx v_ry v_rz v_t mu_s mu_r "
                                   "dt", "t_x t_y t_z u_rx u_ry u_rz u_t")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.01 s
 ZERO = (0.0, 0.0, 0.0)
 T, UR, UT = slice(0, 3), slice(3, 6), 6  # in a result of resisting_torque
 N, LOAD, VR, VT = slice(4, 7), 10, slice(15, 18), 18  # in its arguments
@@ -235,7 +236,7 @@ def stiff(M, dt):
     return 0.09 * M / (dt * dt), 0.6 * M / dt
 
 
-# Tolerance: rounding errors of 400 steps.
+# Tolerance: rounding errors of 250 steps.
 @check("invariants", 8, "I dw/dt = -mu |f_n| R, then rest", tol=1e-10, unit="1/s",
        cause="at the limit both torques are constant, mu_r |f_n| R* and mu_t |f_n| R*, each by "
              "itself; and the springs must let go when the sphere comes to rest")
@@ -252,10 +253,10 @@ def spin_down(ask):
     w = [add(scale(71.6 * a, t), scale(97.3 * b, f[0]))
          for (a, b), t, f in zip(slow, axes, spheres.frames)]
     outcomes = []
-    for step in range(1, 401):
+    for step in range(1, 251):
         torques = spheres.torques(w, fn, laws, mu, dt)
         w = [add(a, scale(h / (0.4 * R * R), t)) for a, h, R, t in zip(w, dt, spheres.R, torques)]
-        if step not in (50, 400):
+        if step not in (50, 250):
             continue
         for (a, b), t, f, got, m in zip(slow, axes, spheres.frames, w, mu):
             left = [max(0.0, steps - step) for steps in (71.6, 97.3)]
@@ -269,7 +270,7 @@ def spin_down(ask):
     return outcomes
 
 
-# Tolerance: rounding errors of 600 steps.
+# Tolerance: rounding errors of 400 steps.
 @check("invariants", 7, "tan(angle) <= mu_r, or a = 5/7 g (sin - mu_r cos)", tol=1e-10,
        cause="rolling friction holds the sphere up to tan(angle) = mu_r, with the spring "
              "u = m g sin(angle)/k_n; above, the torque is mu_r f_n R*")
@@ -282,7 +283,7 @@ def incline(ask):
     laws = [stiff(1.4, h) + stiff(0.4, h) for h in dt]  # M = m + I/R^2 = 1.4 m
     mu = [(ask.uniform(0.1, 0.5), m) for m in mur]
     x, v, before, axes = [0.0] * n, [0.0] * n, [], [cross(f[0], f[1]) for f in spheres.frames]
-    for step in range(1, 601):
+    for step in range(1, 401):
         tilt = [s * m * min(1.0, step / 200) for s, m in zip(shares, mur)]
         cos = [1 / math.sqrt(1 + t * t) for t in tilt]
         spins = [scale(a / R, axis) for a, R, axis in zip(v, spheres.R, axes)]
@@ -290,7 +291,7 @@ def incline(ask):
         for k, (t, c, h) in enumerate(zip(tilt, cos, dt)):  # it rolls without slipping
             v[k] += h / 1.4 * (g * t * c + dot(torques[k], axes[k]) / spheres.R[k])
             x[k] += h * v[k]
-        before = list(v) if step == 300 else before
+        before = list(v) if step == 250 else before
     outcomes = []
     for share, m, h, law, place, a, b, c in zip(shares, mur, dt, laws, x, before, v, cos):
         at = f"mu_r = {m:.3g}, tan(angle) = {share:g} mu_r"
@@ -300,13 +301,13 @@ def incline(ask):
                                         f"{want:.8g} m, and rests", at))
         else:
             want = 5 / 7 * g * (share - 1) * m * c
-            got = (b - a) / (300 * h)
+            got = (b - a) / (150 * h)
             outcomes.append(ask.outcome(abs(got - want) / (g * share * m * c),
                                         f"a = {got:.8g} m/s^2", f"{want:.8g} m/s^2", at))
     return outcomes
 
 
-LAST_ERROR = 0.012  # with 512 steps; the right answer has 0.004 to 0.006
+LAST_ERROR = 0.022  # with 256 steps; the right answer has 0.005 to 0.010
 
 
 @check("convergence", 15, "M x'' = F - k x - c x'", sharp=True,
@@ -318,7 +319,8 @@ def order(ask):
     spheres, fn, mu = OnPlane(ask, n), [100.0] * n, [(1e3, 1e3)] * n
     laws = []
     for _ in range(n):
-        kr, kt = ask.uniform(10, 100), ask.uniform(10, 100)
+        kr = ask.uniform(10, 100)
+        kt = kr * ask.uniform(0.2, 0.6)
         laws.append((kr, ask.uniform(0.1, 0.5) * math.sqrt(1.4 * kr),
                      kt, ask.uniform(0.1, 0.5) * math.sqrt(0.4 * kt)))
     F, wt = [ask.uniform(1, 5) for _ in range(n)], [ask.uniform(1, 3) for _ in range(n)]
@@ -328,7 +330,7 @@ def order(ask):
     turn = ask.reference("rocking", [(0.4, law[2], law[3], 0.0, w * R, t)
                                      for law, w, R, t in zip(laws, wt, spheres.R, spans)])
     axes, errors = [cross(f[0], f[1]) for f in spheres.frames], []
-    for steps in 32, 128, 512:
+    for steps in 16, 64, 256:
         dt = [t / steps for t in spans]
         x, v, w, spheres.springs = [0.0] * n, [0.0] * n, list(wt), [(*ZERO, 0.0)] * n
         for _ in range(steps):

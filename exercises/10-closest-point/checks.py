@@ -11,6 +11,7 @@ P, A, B, C, D = ("p_x p_y p_z", *(f"{c}_x {c}_y {c}_z" for c in "abcd"))
 FUNCTIONS = {"closest_on_edge": (" ".join((P, A, B)), "q_x q_y q_z"),
              "closest_on_triangle": (" ".join((P, A, B, C)), "q_x q_y q_z"),
              "closest_on_rectangle": (" ".join((P, A, B, C, D)), "q_x q_y q_z")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.01 s
 NAME = {2: "closest_on_edge", 3: "closest_on_triangle", 4: "closest_on_rectangle"}  # by corners
 
 
@@ -230,14 +231,16 @@ def nothing_closer(ask):
     """The answer is a point of the shape, and no point of the shape is closer"""
     outcomes = []
     for count in 2, 3, 4:
-        for _ in range(60 if count == 3 else 20):
+        for _ in range(100 if count == 3 else 20):
             corners = SHAPE[count](ask)
             p = anywhere(ask, corners)
             r = row(p, corners)
             q = ask.call(NAME[count], [r])[0]
             outcomes.append(ask.outcome(abs(excess(q, corners)), f"{number(q)}, not on the shape",
                                         "a point of the shape", ask.inputs(NAME[count], r)))
-            others = corners + [inside(ask, corners) for _ in range(60)]
+            others = corners + [inside(ask, corners) for _ in range(30)] + [
+                between(a, b, k / 12) for a, b in zip(corners, corners[1:] + corners[:1])
+                for k in range(1, 12)]
             best = min(others, key=lambda o: norm(sub(o, p)))
             here, there = norm(sub(q, p)), norm(sub(best, p))
             outcomes.append(ask.outcome(max(0.0, 1 - there / here) if here else 0.0,

@@ -7,6 +7,7 @@ TITLE = "Finding neighbours"
 LEVEL = "**"
 #: Functions of the answer: names of the numbers that go in and that come out.
 FUNCTIONS = {"cell_of": ("x y z size", "i j k"), "touching_pairs": ("", "")}
+LIMITS = {"cpu": 1}  # a right answer needs 0.05 s, everybody against everybody 0.2 s
 FINE = 2 ** 20  # coordinates are multiples of 1/FINE: all distances are exact, also after a shift
 
 

@@ -350,9 +350,11 @@ static double lift(double degrees, double depth, double s) {
 }
 static void limits(const Arguments& run, Metrics& metrics) {
   Csv csv(run.out / "furrow.csv", "degrees,s_over_R,force");
-  for (const double degrees : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0})
-    for (double s = 0; s < 0.12; s += run.quick ? 0.01 : 0.0005)
-      csv.row(degrees, s, lift(degrees, 1e-3 * R, s * R));
+  for (const double degrees : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0}) {
+    const double middle = (1 - 1e-3) * std::tan(degrees * pi / 360);
+    for (double s = 0; s < 0.04; s += run.quick ? 0.01 : 0.0002)
+      csv.row(degrees, s, lift(degrees, 1e-3 * R, (middle + s) * R));
+  }
   // the second contact of a shallow furrow ends where its foot reaches the seam, still under load
   const double theta = pi / 180, end = std::tan(theta) * (1 - 1e-3);
   metrics("furrow_jump", lift(1, 1e-3 * R, (end - 1e-5) * R) - lift(1, 1e-3 * R, (end + 1e-5) * R));

@@ -24,7 +24,7 @@ def draw(data, out):
         part = style.where(furrow, degrees=degrees)
         ax[2].plot(part["s_over_R"], part["force"], label=f"{degrees:g} degrees",
                    **style.cycle(k, marker=False))
-    style.label(ax[2], "way from the seam / R", "upward force / that of one face",
+    style.label(ax[2], "way from the middle of the furrow / R", "upward force / that of one face",
                 "a shallow furrow, overlap 0.001 R")
     ax[2].legend(loc="upper right")
     style.save(fig, out, "23_seams")
