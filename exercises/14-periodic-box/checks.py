@@ -200,8 +200,8 @@ def replicas(ask):
 def momentum(ask):
     """A gas with friction and damping: its momentum stays"""
     L = size_of_box(ask)
-    spheres = packing(ask, L, L, 25)
-    frames = simulate(ask, setting(period=L, dt=STEP), spheres, frames=(0, 400))
+    spheres = packing(ask, L, L, 25, speed=0.3)
+    frames = simulate(ask, setting(period=L, dt=STEP), spheres, frames=(0, 40))
     sums = [[sum(mass(s) * s.v[k] for s in f.spheres) for k in range(3)] for f in frames]
     size = sum(mass(s) * norm(s.v) for s in spheres)
     changed = any(norm(sub(a.v, b.v)) for a, b in zip(frames[0].spheres, frames[1].spheres))

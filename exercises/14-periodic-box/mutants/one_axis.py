@@ -1,4 +1,4 @@
-# loses: spawning pair_across replicas momentum energy shift_invariance history ring
+# loses: spawning pair_across replicas energy shift_invariance history ring
 # Images along x only.
 CHANGES = [
     ('whole(d.y, L.y), whole(d.z, L.z)}',

@@ -1,4 +1,4 @@
-# loses: parameter spawning pair_across replicas momentum energy shift_invariance history ring unchanged
+# loses: parameter spawning pair_across replicas energy shift_invariance history ring unchanged
 # Truncation where rounding belongs.
 CHANGES = [
     ('l * std::round(a / l)',
