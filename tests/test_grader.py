@@ -522,6 +522,12 @@ class SolverCopies(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"here.py: '{old}' stands {found} times"):
                 solver.changed(texts, [(old, "new")], "here.py")
 
+    def test_hidden_ways_to_break_the_solver_stay_with_the_teacher(self):
+        folder = EXERCISES / "15-write-the-tests"
+        given = {p.name for name in classroom.HANDED_OUT for p in folder.glob(name)}
+        self.assertIn("solvers.py", given)
+        self.assertTrue((folder / "hidden.py").exists() and "hidden.py" not in given)
+
     def test_which_folder_is_an_answer(self):
         student = SCRATCH / "solver students" / "ann"
         self.assertIsNone(classroom.find_answer(student, self.exercise))

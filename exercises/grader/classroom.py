@@ -24,8 +24,8 @@ if [ $# -eq 0 ]; then set -- --help; fi
 exec "$python" "$here/exercises/grade.py" "$@"
 """
 # What a student gets of an exercise; everything else stays with the teacher.
-HANDED_OUT = ["README.md", "exercise.hpp", "checks.cpp", "checks.py", "starter.cpp", "*.png",
-              "*.svg"]
+HANDED_OUT = ["README.md", "exercise.hpp", "checks.cpp", "checks.py", "solvers.py", "starter.cpp",
+              "*.png", "*.svg"]
 GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sandbox.cpp", "labs.py",
           "lab_runs.py"]
 # Of a lab sheet, and what its runs need: the program, its scenes, and a front door that builds it.

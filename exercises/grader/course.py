@@ -134,7 +134,7 @@ class Ask:
             if problem.late:
                 self.start.lose_patience()
             where = "" if problem.late else self.guilty(name, rows)
-            raise Lost(f"{name}: the program {problem}{where}") from None
+            raise Lost(f"{name}: the program {problem}{where}", problem.late) from None
         for row, result in zip(rows, results):
             if outputs and len(result) != len(outputs):
                 raise RuntimeError(f"{name} returns {len(result)} numbers, not {outputs}")
@@ -143,13 +143,15 @@ class Ask:
         return results
 
     def right(self, name, rows, **_):
-        """The same with the solver as it was, for an exercise that changes the solver."""
+        """The same with the solver as it was, for an exercise about the solver as a whole."""
         runner = self.start.right()
         try:
             return runner.ask(name, rows)
         except Lost as problem:
-            raise RuntimeError(f"{name}: the unchanged solver {problem}") from None
+            raise Lost(f"{name}: with the unchanged solver, the program {problem}",
+                       problem.late) from None
         finally:
+            self.printed += runner.printed
             runner.close()
 
     def guilty(self, name, rows):
@@ -264,10 +266,11 @@ class Exercise:
     """A folder NN-name: README.md, starter.cpp, exercise.hpp, checks.cpp, checks.py, and for the
     instructor reference.py, solution.cpp, solution2.cpp, mutants/. A hand-out has expected.json in
     place of reference.py. Of kind "solver": the starter is the solver, the answer a folder with a
-    copy of its two files, and solutions and mutants are lists of changes (solver.py)."""
+    copy of its two files, and solutions and mutants are lists of changes (solver.py). Of kind
+    "tests": the answer is tests of the solver, and checks.py lists CHANGES that break it."""
 
     def __init__(self, folder):
-        self.folder = Path(folder)
+        self.folder = Path(folder).resolve()
         self.slug, self.number = self.folder.name, self.folder.name.split("-")[0]
         module = load_module(self.folder / "checks.py")
         self.title, self.level = module.TITLE, module.LEVEL
@@ -278,8 +281,10 @@ class Exercise:
         self.functions = {name: (i.split(), o.split()) for name, (i, o) in module.FUNCTIONS.items()}
         self.limits = {**LIMITS, **getattr(module, "LIMITS", {})}
         self.checks = [f.check for f in vars(module).values() if hasattr(f, "check")]
-        self.headers = [*sorted(self.folder.glob("*.hpp")),
-                        *sorted(self.include.glob("*.hpp"))]
+        self.changes = getattr(module, "CHANGES", [])
+        self.headers = [*sorted(self.folder.glob("*.hpp")), *sorted(self.include.glob("*.hpp"))]
+        if self.kind == "tests":
+            self.headers.append(self.solver / "tinydem.hpp")
         self.recorded, self.table, self.formulas = {}, None, None
         if (self.folder / "reference.py").exists():
             self.formulas = load_module(self.folder / "reference.py")
@@ -341,6 +346,14 @@ class Exercise:
         """Where a student's answer may be, in the student's directory."""
         return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
                 f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
+
+    def broken_solver(self, number, right):
+        """The text of tinydem.cpp with all CHANGES, of which the variable `number` chooses."""
+        try:
+            return solver.one_of_many((self.solver / "tinydem.cpp").read_text(),
+                                      [] if right else self.changes, number)
+        except ValueError as problem:
+            raise BadExercise(f"{self.folder}: {problem}") from None
 
     def answer(self):
         """The file (or folder) that the student edits; made from the starter at first."""
@@ -431,11 +444,12 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
             lines += [Line(c.points, check=c, problem="not run") for c in chosen]
             return Sheet(exercise, seeds, lines, said)
         start = Starter(shop.sandbox(), program, limits)
-        if exercise.kind == "solver":
-            right, said_of_right = shop.program(exercise, exercise.solver)
-            if not right:
-                raise BadExercise(f"the solver does not compile:\n{said_of_right}")
-            start.right = Starter(shop.sandbox(), right, {**limits, "cpu": 30, "wall": 60})
+        if exercise.kind != "functions":
+            right = shop.program(exercise, exercise.solver) if exercise.kind == "solver" else \
+                shop.program(exercise, answer, right=True)
+            if not right[0]:
+                raise BadExercise(f"the solver as it is does not compile:\n{right[1]}")
+            start.right = Starter(shop.sandbox(), right[0], limits)
         with ThreadPoolExecutor(jobs) as pool:
             every = [list(pool.map(lambda c, s=seed: run_check(exercise, c, s, start), chosen))
                      for seed in seeds]

@@ -14,10 +14,10 @@ import time
 from pathlib import Path
 
 FLAGS = ["-std=c++17", "-O1", "-ffp-contract=off"]
-WARNINGS = ["-Wall", "-Wextra"]
+WARNINGS = ["-Wall", "-Wextra", "-Wno-unknown-pragmas"]  # OpenMP is off
 # A copy of the solver, as a library. Its code for each set of vector instructions takes three times
 # as long to compile, and is left out under the address sanitizer.
-SOLVER = ["-DTINYDEM_NO_MAIN", "-D__SANITIZE_ADDRESS__", "-Wno-unknown-pragmas"]
+SOLVER = ["-DTINYDEM_NO_MAIN", "-D__SANITIZE_ADDRESS__"]
 SANDBOX = Path(__file__).with_name("sandbox.cpp")
 SLICE = 0.05  # seconds between two looks at a silent program
 OUTPUT_KEPT = 2000  # characters of what an answer prints
@@ -110,29 +110,44 @@ class Workshop:
         files = [(self.folder / name).resolve() for name in needed_files(dependencies)]
         return [f for f in files if top in f.parents and self.folder.resolve() not in f.parents]
 
-    def program(self, exercise, answer):
+    def program(self, exercise, answer, right=False):
         """Compiles the answer (a path) and links it; (program or None, messages).
+
+        right: tests are linked with the solver as it is, not with the one that can be broken.
 
         The answer sees only the headers of the exercise, and its compiler options are ours. The
         checks are compiled apart, so that no macro of the answer reaches them.
         """
         if exercise.kind == "solver":
             return self.solver_program(exercise, answer)
+        options, objects = self.solvers(exercise, right) if exercise.kind == "tests" else ([], [])
         sources = [exercise.folder / "checks.cpp", *exercise.headers]
-        checks = self.kept(exercise.slug, sources, ["-c"])
+        checks = self.kept(exercise.slug, sources, [*options, "-c"])
         for header in exercise.headers:
             shutil.copy(header, self.folder)
         shutil.copyfile(answer, self.folder / "answer.cpp")
-        ok, said = compile_to("answer.o", [self.compiler, *FLAGS, *WARNINGS, "-MMD", "-MF",
-                                           "answer.d", "-c", "answer.cpp"], self.folder)
+        ok, said = right, ""  # then it was compiled a moment ago
+        if not right:
+            ok, said = compile_to("answer.o", [self.compiler, *FLAGS, *WARNINGS, "-MMD", "-MF",
+                                               "answer.d", "-c", "answer.cpp"], self.folder)
         if not ok:
             return None, said
         foreign = self.foreign((self.folder / "answer.d").read_text(errors="replace"), exercise)
         if foreign:
             return None, f"answer.cpp must not include {foreign[0].name}"
-        ok, linker = compile_to("program", [self.compiler, "answer.o", str(checks), "-pthread"],
-                                self.folder)
-        return (self.folder / "program" if ok else None), said + linker
+        name = "right" if right else "program"
+        ok, linker = compile_to(name, [self.compiler, "answer.o", str(checks), *objects,
+                                       "-pthread"], self.folder)
+        return (self.folder / name if ok else None), said + linker
+
+    def solvers(self, exercise, right):
+        """Options for the checks, and the object file of the solver that BROKEN breaks."""
+        number = "broken_" + hashlib.sha256(repr(exercise.changes).encode()).hexdigest()[:12]
+        copy = Path(tempfile.mkdtemp(dir=self.folder))
+        (copy / "tinydem.cpp").write_text(exercise.broken_solver(number, right))
+        made = self.kept("solvers", [copy / "tinydem.cpp", exercise.solver / "tinydem.hpp"],
+                         [*SOLVER, "-c"])
+        return [f"-DBROKEN={number}"], [str(made)]
 
     def solver_program(self, exercise, answer):
         """The same for a folder with a copy of the solver."""

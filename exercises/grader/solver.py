@@ -2,6 +2,7 @@
 
 KIND = "solver" in checks.py: the answer is a folder with the two files of the solver. Solutions and
 mutants are lists CHANGES = [(old, new), ...]; `old` must stand exactly once in the two files.
+KIND = "tests": the answer is tests, which run with many solvers, one for each of CHANGES in checks.py.
 """
 import math
 from pathlib import Path
@@ -34,6 +35,22 @@ def changed(texts, changes, where):
                              "stand there once; adapt the change to the solver as it is now")
         texts[found[0]] = texts[found[0]].replace(old, new)
     return texts
+
+
+def one_of_many(text, changes, number):
+    """tinydem.cpp in which the variable called `number` chooses a change: 1 the first, 0 none.
+
+    changes: [(expression, replacement), ...]; one compilation serves for all of them.
+    """
+    replacements = {}
+    for k, (old, new) in enumerate(changes, 1):
+        replacements.setdefault(old, []).append(f"{number} == {k} ? ({new}) : ")
+    for old, cases in replacements.items():
+        if text.count(old) != 1:
+            raise ValueError(f"'{old}' stands {text.count(old)} times in tinydem.cpp, it must stand "
+                             "there once; adapt the change to the solver as it is now")
+        text = text.replace(old, f"({''.join(cases)}({old}))")
+    return f"int {number} = 0;\n{text}"
 
 
 def write(texts, folder):

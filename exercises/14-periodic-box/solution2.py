@@ -1,0 +1,39 @@
+"""Exercise 14, written differently: wrapped in every step; the search looks at everybody."""
+
+CHANGES = [
+    ('X(mus, real,',
+     'X(period, Vec3, (Vec3{0, 0, 0}), "L", "[0, inf)", "period in x, y, z; 0: none") \\\n'
+     '  X(mus, real,'),
+    ('  real time() const {',
+     '''  bool periodic() const { return p.period.x > 0 || p.period.y > 0 || p.period.z > 0; }
+  /// Takes whole periods off a vector: rest(a, 0.5) is in [-L/2, L/2), rest(a, 0) in [0, L).
+  Vec3 rest(Vec3 a, real share) const {
+    for (auto side : {&Vec3::x, &Vec3::y, &Vec3::z})
+      if (const real L = p.period.*side; L > 0) a.*side -= std::floor(a.*side / L + share) * L;
+    return a; }
+  Body<real> beside(const Vec3& x, const Body<real>& j) const {
+    Body<real> moved = j; if (periodic()) moved.x = x - rest(x - j.x, real(0.5));
+    return moved; }
+  real time() const {'''),
+    ('int k[block];  // places', 'int k[block]; Body<real> partner[block];  // places'),
+    ('      const bool touch = square(a.x - c.x) < square(a.R + c.R);',
+     '      partner[n] = p.j < 0 ? c : s.beside(a.x, c);\n'
+     '      const bool touch = square(a.x - partner[n].x) < square(a.R + c.R);'),
+    ('const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });',
+     'return partner + l; });'),
+    ('bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);',
+     'bj = j < 0 ? wall(-1 - j, bi.x) : beside(bi.x, grains[j]);'),
+    ('return square(g.x - x) < square(g.reach() + R); };',
+     'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),
+    ('      particle_tree.visit(box, [&](int j) {\n',
+     '      if (periodic()) box = Box::around({}, inf);\n'
+     '      particle_tree.visit(box, [&](int j) {\n'),
+    ('for (Grain& g : grains) g.room = slack(norm(g.v));',
+     'for (Grain& g : grains) g.x = rest(g.x, 0), g.room = slack(norm(g.v));'),
+    ('moved.copy(l, g), g.f', 'moved.copy(l, g), g.x = s.rest(g.x, 0), g.f'),
+    ('particle_tree.visit(Box::around(centre, R + excess), [&](int j) { check(grains[j]); });',
+     'particle_tree.visit(Box::around(centre, periodic() ? inf : R + excess), [&](int j) {\n'
+     '    check(beside(centre, grains[j])); });'),
+    ('j < size(); ++j) check(grains[j]);  // just spawned',
+     'j < size(); ++j) check(beside(centre, grains[j]));  // just spawned'),
+]
