@@ -15,7 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 EXERCISES = ROOT / "exercises"
 sys.path.insert(0, str(EXERCISES))
-from grader import classroom, course, program, selftest  # noqa: E402  (after the path is known)
+from grader import classroom, course, program, selftest, solver  # noqa: E402  (after the path is known)
 
 HERTZ = course.Exercise(EXERCISES / "01-hertz-force")
 SOLUTION = (HERTZ.folder / "solution.cpp").read_text()
@@ -126,6 +126,18 @@ class Hostile(unittest.TestCase):
         self.assertIn("memory", told(sheet, "unequal_spheres"))
         self.assertIn("bad_alloc", told(sheet, "unequal_spheres"))
 
+    def test_threads_without_end(self):
+        text = spoiled("std::vector<std::thread> all;\n  for (int k = 0; i.R != j.R && k < 100000; "
+                       "++k) all.emplace_back([] { for (;;) pause(); });",
+                       "#include <thread>\n#include <vector>\n#include <unistd.h>\n")
+        self.only_unequal(graded(text))
+
+    def test_global_state(self):
+        """An answer that counts its calls loses the check of memory, and what its calls spoil."""
+        sheet = graded(spoiled("static int calls = 0;\n  if (++calls > 60) return {0, 0, 0};"),
+                       ["equal_spheres", "no_memory"])
+        self.assertEqual(lost(sheet), {"no_memory"})
+
     def test_nan(self):
         sheet = graded(spoiled("if (i.R != j.R) return {std::nan(\"\"), 0, 0};"))
         self.only_unequal(sheet)
@@ -221,6 +233,38 @@ class Hostile(unittest.TestCase):
         self.assertEqual(graded(SOLUTION + "#define double float\n#define return\n").points, 100)
 
 
+class Feedback(unittest.TestCase):
+    """What a student is told about a check that failed."""
+
+    def test_fields(self):
+        text = (HERTZ.folder / "mutants" / "two_thirds.cpp").read_text()
+        sheet = graded(text, ["equal_spheres"])
+        said = " ".join(sheet.as_dict()["checks"][1]["feedback"])
+        for part in ("Eqs. (5), ", "measured: (", "expected: (", " N; error 0.5, allowed 1e-09",
+                     "at: ", "likely cause: 2/3", "--check equal_spheres --seed 1"):
+            self.assertIn(part, said)
+
+    def test_every_check_of_every_exercise_has_them(self):
+        without_equations = {"10", "11", "12", "14", "15"}  # geometry, search, programming
+        for e in course.find_exercises(EXERCISES):
+            for c in e.checks:
+                self.assertTrue(c.title, f"{e.slug}: {c.name}")
+                self.assertTrue(c.eq or e.number in without_equations, f"{e.slug}: {c.name}")
+                self.assertTrue(c.cause or c.category == "clean", f"{e.slug}: {c.name}")
+
+    def test_the_command_repeats_the_check(self):
+        answer = SCRATCH / "again.cpp"
+        answer.write_text((HERTZ.folder / "mutants" / "two_thirds.cpp").read_text())
+        sheet = course.grade(HERTZ, answer, SCRATCH / "build", COMPILER, seeds=[3])
+        for line in [x for x in sheet.lines if not x.full][:1]:
+            words = re.search(r"again: \./dem (.*)", course.feedback(line, sheet)[-1]).group(1)
+            code, said = run(ROOT, *words.split(), "--file", answer, "--json")
+            again = json.loads(said)[0]["checks"]
+            self.assertEqual(code, 1)
+            self.assertEqual([(x["name"], x["points"]) for x in again[1:]],
+                             [(line.name, line.points)])
+
+
 class SameScores(unittest.TestCase):
     """The compiler and the number of threads change nothing."""
 
@@ -297,6 +341,17 @@ def squeezed_code(line):
     return re.sub(r"\s", "", line.split("//")[0])
 
 
+def given_and_solved(exercise):
+    """All that is handed out to begin with, and all solutions, as two texts."""
+    if exercise.kind == "solver":
+        files = [exercise.solver_texts(exercise.folder / f"{name}.py")
+                 for name in ("solution", "solution2")]
+        return ("\n".join(solver.read(exercise.solver).values()),
+                "\n".join(text for both in files for text in both.values()))
+    return ["\n".join((exercise.folder / name).read_text() for name in names)
+            for names in (("starter.cpp", "exercise.hpp"), ("solution.cpp", "solution2.cpp"))]
+
+
 class HandOut(unittest.TestCase):
     """The tree for students, used as a student would."""
 
@@ -325,10 +380,9 @@ class HandOut(unittest.TestCase):
         texts = {**self.files, **{p: squeezed(p) for e in every for name in classroom.HANDED_OUT
                                   for p in e.folder.glob(name)}}
         for e in every:
-            given = [squeezed_code(line) for name in ("starter.cpp", "exercise.hpp")
-                     for line in (e.folder / name).read_text().splitlines()]
-            codes = {squeezed_code(line) for name in ("solution.cpp", "solution2.cpp")
-                     for line in (e.folder / name).read_text().splitlines()} - set(given)
+            given, solved = given_and_solved(e)
+            codes = {squeezed_code(line) for line in solved.splitlines()}
+            codes -= {squeezed_code(line) for line in given.splitlines()}
             codes = {code for code in codes if len(code) > 12 and "#include" not in code}
             self.assertGreater(len(codes), 4, e.slug)
             self.assertEqual([(p.name, c) for p, text in texts.items() for c in codes
@@ -449,6 +503,70 @@ class GradeBook(unittest.TestCase):
                 f"  return table[k++ % {len(values)}];\n}}\n")
         self.assertEqual(lost(graded(text, ["equal_spheres"])), set())
         self.assertEqual(lost(graded(text, ["equal_spheres"], seeds=[1, 77])), {"equal_spheres"})
+
+
+class SolverCopies(unittest.TestCase):
+    """Exercises that change the solver: hand-out, grade and gradebook take a folder of two files."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.exercise = next(e for e in course.find_exercises(EXERCISES) if e.slug == "13-adhesion")
+        cls.right = cls.exercise.solver_texts(cls.exercise.folder / "solution.py")
+
+    def test_changes_must_fit_the_solver(self):
+        """A change whose place is gone, or not unique, says where and what to do."""
+        texts = solver.read(self.exercise.solver)
+        for old, times in ("no such line", 0), ("namespace tinydem", 6):
+            found = sum(text.count(old) for text in texts.values())
+            self.assertEqual(found > 1, times > 1)
+            with self.assertRaisesRegex(ValueError, f"here.py: '{old}' stands {found} times"):
+                solver.changed(texts, [(old, "new")], "here.py")
+
+    def test_which_folder_is_an_answer(self):
+        student = SCRATCH / "solver students" / "ann"
+        self.assertIsNone(classroom.find_answer(student, self.exercise))
+        for place in "exercises/13-adhesion/answer", "13":
+            solver.write(self.right, student / place)
+            self.assertEqual(classroom.find_answer(student, self.exercise), student / place)
+        (student / "13" / "tinydem.hpp").unlink()  # then that of the solver as it is
+        self.assertEqual(classroom.find_answer(student, self.exercise), student / "13")
+        self.assertEqual(self.exercise.solver_texts(student / "13")["tinydem.hpp"],
+                         (ROOT / "tinydem" / "tinydem.hpp").read_text())
+        (student / "13" / "tinydem.hpp").symlink_to(ROOT / "tinydem" / "tinydem.hpp")
+        self.assertNotEqual(classroom.find_answer(student, self.exercise), student / "13")
+
+    def test_hand_out_and_gradebook(self):
+        """The hand-out has the solver and a copy to edit, and no change of the solution."""
+        tree, output = SCRATCH / "solver tree", SCRATCH / "solver grades"
+        code, said = run(ROOT, "handout", tree, "13")
+        self.assertEqual(code, 0, said)
+        for name in solver.FILES:
+            text = (tree / "tinydem" / name).read_text()
+            self.assertEqual(text, (ROOT / "tinydem" / name).read_text())
+            self.assertEqual(text, (tree / "exercises/13-adhesion/answer" / name).read_text())
+        self.assertEqual([p.name for p in tree.rglob("*") if p.is_file() and (
+            "CHANGES = " in p.read_text(errors="replace") and p.name != "solver.py")], [])
+        code, said = run(tree, "grade", "13", "--check", "apart", "--check", "parameter")
+        self.assertEqual(code, 1, said)
+        self.assertIn("'gamma' is unknown", said)
+        solver.write(self.right, tree / "exercises/13-adhesion/answer")
+        code, said = run(tree, "grade", "13", "--seed", "3")
+        self.assertRegex(said, r"13 .* 100/100")
+        hostile = {**self.right, "tinydem.cpp": self.right["tinydem.cpp"].replace(
+            "void Simulation::run(long n) {", "void Simulation::run(long n) {\n  if (p.gamma > 1) "
+            "std::exit(0);\n  if (p.eta > 0) for (volatile bool on = true; on;) {}", 1)}
+        for name, texts in ("right", self.right), ("hostile", hostile):
+            solver.write(texts, SCRATCH / "solver class" / name / "13")
+        code, said = run(ROOT, "gradebook", SCRATCH / "solver class", "13", "--output", output,
+                         "--seed", "7")
+        self.assertEqual(code, 0, said)
+        with open(output / "grades.csv", newline="") as file:
+            rows = {row["student"]: row for row in csv.DictReader(file)}
+        self.assertEqual(float(rows["right"]["points"]), 100)
+        self.assertIn("two_spheres", rows["hostile"]["lost"])
+        self.assertIn("unchanged", rows["hostile"]["lost"])
+        self.assertNotIn("ceiling", rows["hostile"]["lost"])
+        self.assertEqual(float(rows["hostile"]["builds"]), 5)
 
 
 class CommandLine(unittest.TestCase):

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from decimal import Context, Decimal
 from pathlib import Path
 
+from . import solver
 from .program import Lost, Starter, Workshop, finite
 from .vec import norm, scale, sub
 
@@ -79,7 +80,7 @@ class Ask:
     def __init__(self, exercise, one_check, seed, start):
         self.exercise, self.check, self.seed, self.start = exercise, one_check, seed, start
         self.random = random.Random(f"{exercise.slug} {one_check.name} {seed}")
-        self.runner, self.references, self.printed = None, 0, b""
+        self.runner, self.references, self.printed, self.notes = None, 0, b"", []
 
     # ------------------------------------------------------------------------ inputs
 
@@ -141,6 +142,16 @@ class Ask:
                 raise Lost(f"{name} = {number(result)} for {self.inputs(name, row)}")
         return results
 
+    def right(self, name, rows, **_):
+        """The same with the solver as it was, for an exercise that changes the solver."""
+        runner = self.start.right()
+        try:
+            return runner.ask(name, rows)
+        except Lost as problem:
+            raise RuntimeError(f"{name}: the unchanged solver {problem}") from None
+        finally:
+            runner.close()
+
     def guilty(self, name, rows):
         """The first row on which a new process ends as well, as text."""
         if len(rows) > 1000:
@@ -168,6 +179,10 @@ class Ask:
         return self.exercise.reference(key, name, rows)
 
     # ------------------------------------------------------------------------ comparisons
+
+    def note(self, text):
+        """A line below the score sheet that earns and costs nothing."""
+        self.notes.append(text)
 
     def outcome(self, error, measured="", expected="", at="", cause=""):
         """error is compared with the tolerance; the texts are shown when it is too large."""
@@ -248,18 +263,23 @@ def digest(rows):
 class Exercise:
     """A folder NN-name: README.md, starter.cpp, exercise.hpp, checks.cpp, checks.py, and for the
     instructor reference.py, solution.cpp, solution2.cpp, mutants/. A hand-out has expected.json in
-    place of reference.py."""
+    place of reference.py. Of kind "solver": the starter is the solver, the answer a folder with a
+    copy of its two files, and solutions and mutants are lists of changes (solver.py)."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
         self.slug, self.number = self.folder.name, self.folder.name.split("-")[0]
         module = load_module(self.folder / "checks.py")
         self.title, self.level = module.TITLE, module.LEVEL
+        self.kind = getattr(module, "KIND", "functions")
+        self.suffix = ".py" if self.kind == "solver" else ".cpp"  # of solutions and mutants
+        self.include = self.folder.parent / "include"
+        self.solver = self.folder.parents[1] / "tinydem"
         self.functions = {name: (i.split(), o.split()) for name, (i, o) in module.FUNCTIONS.items()}
         self.limits = {**LIMITS, **getattr(module, "LIMITS", {})}
         self.checks = [f.check for f in vars(module).values() if hasattr(f, "check")]
         self.headers = [*sorted(self.folder.glob("*.hpp")),
-                        *sorted((self.folder.parent / "include").glob("*.hpp"))]
+                        *sorted(self.include.glob("*.hpp"))]
         self.recorded, self.table, self.formulas = {}, None, None
         if (self.folder / "reference.py").exists():
             self.formulas = load_module(self.folder / "reference.py")
@@ -293,8 +313,40 @@ class Exercise:
             raise Lost(f"{self.slug}/checks.py or expected.json was changed; get them anew")
         return [tuple(v) for v in entry["values"]]
 
+    def starter(self):
+        """What the answer is made from."""
+        return self.solver if self.kind == "solver" else self.folder / "starter.cpp"
+
+    def accepts(self, path):
+        """Can this file or folder be an answer?"""
+        if self.kind == "solver" and path.is_dir():
+            return any((path / name).is_file() for name in solver.FILES)
+        return path.is_file() and (self.kind != "solver" or path.suffix == self.suffix)
+
+    def solver_texts(self, answer):
+        """{name: text} of a copy of the solver: a folder with both files or one, or changes."""
+        if answer.suffix != ".py":
+            return solver.read(answer, self.solver)
+        texts = solver.read(self.solver)
+        first = [self.folder / "solution.py"] if answer.parent.name == "mutants" else []
+        try:
+            for path in [*first, answer]:
+                texts = solver.changed(texts, load_module(path).CHANGES, path)
+        except ValueError as problem:
+            raise BadExercise(str(problem)) from None
+        return texts
+
+    @property
+    def submissions(self):
+        """Where a student's answer may be, in the student's directory."""
+        return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
+                f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
+
     def answer(self):
-        """The file that the student edits; made from the starter at first."""
+        """The file (or folder) that the student edits; made from the starter at first."""
+        if self.kind == "solver":
+            path = self.folder / "answer"
+            return path if path.is_dir() else solver.write(solver.read(self.solver), path)
         path = self.folder / "answer.cpp"
         if not path.exists():
             path.write_text((self.folder / "starter.cpp").read_text())
@@ -312,11 +364,12 @@ def find_exercises(top):
 class Line:
     """A line of a score sheet. check: None for `builds`; problem: why there is no outcome."""
 
-    def __init__(self, maximum, points=0, check=None, seed=1, outcome=None, problem="", printed=""):
+    def __init__(self, maximum, points=0, check=None, seed=1, outcome=None, problem="", printed="",
+                 notes=()):
         self.name = check.name if check else "builds"
         self.category = check.category if check else "builds"
         self.check, self.points, self.maximum, self.seed = check, points, maximum, seed
-        self.outcome, self.problem, self.printed = outcome, problem, printed
+        self.outcome, self.problem, self.printed, self.notes = outcome, problem, printed, notes
 
     @property
     def full(self):
@@ -338,7 +391,7 @@ class Sheet:
         return {"exercise": self.exercise.slug, "title": self.exercise.title, "seeds": self.seeds,
                 "points": self.points, "maximum": sum(CATEGORIES.values()), "compiler": self.said,
                 "checks": [{"name": x.name, "category": x.category, "points": x.points,
-                            "maximum": x.maximum, "feedback": feedback(x, self)}
+                            "maximum": x.maximum, "feedback": feedback(x, self, True)}
                            for x in self.lines]}
 
 
@@ -357,7 +410,7 @@ def run_check(exercise, one_check, seed, start):
         ask.close()
     share = credit(worst.error, one_check.tol, one_check.sharp) if worst else 0.0
     return Line(one_check.points, round(one_check.points * share, 1), one_check, seed, worst,
-                problem, ask.printed.decode(errors="replace"))
+                problem, ask.printed.decode(errors="replace"), ask.notes)
 
 
 def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, jobs=2):
@@ -367,6 +420,8 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
     names of the checks to run, default all; threads: that the answer may use; jobs: checks at a
     time.
     """
+    if hasattr(exercise, "sheet"):  # a lab sheet: numbers, no program
+        return exercise.grade(answer, seeds, only)
     chosen = [c for c in exercise.checks if not only or c.name in only]
     limits = {**exercise.limits, "threads": threads}
     with Workshop(compiler, build) as shop:
@@ -376,6 +431,11 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
             lines += [Line(c.points, check=c, problem="not run") for c in chosen]
             return Sheet(exercise, seeds, lines, said)
         start = Starter(shop.sandbox(), program, limits)
+        if exercise.kind == "solver":
+            right, said_of_right = shop.program(exercise, exercise.solver)
+            if not right:
+                raise BadExercise(f"the solver does not compile:\n{said_of_right}")
+            start.right = Starter(shop.sandbox(), right, {**limits, "cpu": 30, "wall": 60})
         with ThreadPoolExecutor(jobs) as pool:
             every = [list(pool.map(lambda c, s=seed: run_check(exercise, c, s, start), chosen))
                      for seed in seeds]
@@ -388,14 +448,16 @@ def printable(text):
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
-def feedback(line, sheet):
-    """Why points are missing and what to do: a list of texts; empty at full points."""
+def feedback(line, sheet, equations=False):
+    """Why points are missing and what to do: a list of texts; empty at full points. equations: with
+    those of the check, for who does not see them beside its name."""
     if line.full or line.problem == "not run":
         return []
     if not line.check:
         return [printable(x) for x in ["the answer does not compile:",
                                        *sheet.said.splitlines()[:12]]]
-    one, out, texts = line.check, line.outcome, [line.check.title]
+    one, out = line.check, line.outcome
+    texts = [f"{one.title}; {one.eq}" if equations and one.eq else one.title]
     if out:
         unit = f" {one.unit}" if one.unit else ""
         band = f"; error {out.error:.2g}, allowed {one.tol:.2g}" if one.tol else ""
@@ -407,7 +469,7 @@ def feedback(line, sheet):
         texts.append(line.problem)
     if line.printed:
         texts.append(f"it printed: {line.printed.splitlines()[0][:70]}")
-    public = line.seed in PUBLIC_SEEDS
+    seed = f" --seed {line.seed}" if line.seed in PUBLIC_SEEDS else "   (with hidden inputs)"
     texts.append(f"again: ./dem grade {sheet.exercise.number} --check {line.name}"
-                 + (f" --seed {line.seed}" if public else "   (this was with hidden inputs)"))
+                 + ("" if hasattr(sheet.exercise, "sheet") else seed))
     return [printable(x) for x in texts]

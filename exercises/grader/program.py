@@ -15,6 +15,9 @@ from pathlib import Path
 
 FLAGS = ["-std=c++17", "-O1", "-ffp-contract=off"]
 WARNINGS = ["-Wall", "-Wextra"]
+# A copy of the solver, as a library. Its code for each set of vector instructions takes three times
+# as long to compile, and is left out under the address sanitizer.
+SOLVER = ["-DTINYDEM_NO_MAIN", "-D__SANITIZE_ADDRESS__", "-Wno-unknown-pragmas"]
 SANDBOX = Path(__file__).with_name("sandbox.cpp")
 SLICE = 0.05  # seconds between two looks at a silent program
 OUTPUT_KEPT = 2000  # characters of what an answer prints
@@ -72,10 +75,18 @@ class Workshop:
 
     def kept(self, name, sources, options):
         """The result of compiling sources[0] (the rest: its headers), kept for the next answer."""
+        kept, said = self.compiled(name, sources, options)
+        if not kept:
+            raise RuntimeError(f"{sources[0]} does not compile:\n{said}")
+        return kept
+
+    def compiled(self, name, sources, options):
+        """The same for what may fail; (result or None, messages)."""
         key = hashlib.sha256("\0".join([self.compiler, *FLAGS, *options]).encode())
         for path in sources:
-            key.update(path.read_bytes())
+            key.update(path.name.encode() + path.read_bytes())
         kept = self.build / f"{name}-{key.hexdigest()[:16]}"
+        messages = kept.with_suffix(".txt")
         if not kept.exists():
             folder = Path(tempfile.mkdtemp(dir=self.folder))
             for path in sources:
@@ -83,9 +94,11 @@ class Workshop:
             fresh = folder / "result"
             ok, said = compile_to(fresh, [self.compiler, *FLAGS, *options, sources[0].name], folder)
             if not ok:
-                raise RuntimeError(f"{sources[0]} does not compile:\n{said}")
+                return None, said
+            (folder / "said").write_text(said)
+            os.replace(folder / "said", messages)
             os.replace(fresh, kept)
-        return kept
+        return kept, messages.read_text()
 
     def sandbox(self):
         """The program that starts an answer with limits."""
@@ -103,6 +116,8 @@ class Workshop:
         The answer sees only the headers of the exercise, and its compiler options are ours. The
         checks are compiled apart, so that no macro of the answer reaches them.
         """
+        if exercise.kind == "solver":
+            return self.solver_program(exercise, answer)
         sources = [exercise.folder / "checks.cpp", *exercise.headers]
         checks = self.kept(exercise.slug, sources, ["-c"])
         for header in exercise.headers:
@@ -118,6 +133,21 @@ class Workshop:
         ok, linker = compile_to("program", [self.compiler, "answer.o", str(checks), "-pthread"],
                                 self.folder)
         return (self.folder / "program" if ok else None), said + linker
+
+    def solver_program(self, exercise, answer):
+        """The same for a folder with a copy of the solver."""
+        checks = self.kept(exercise.slug, [exercise.folder / "checks.cpp", *exercise.headers],
+                           ["-c"])
+        copy = Path(tempfile.mkdtemp(dir=self.folder))
+        for name, text in exercise.solver_texts(answer).items():
+            (copy / name).write_text(text)
+        sources = [exercise.include / "simulate.cpp", copy / "tinydem.cpp", copy / "tinydem.hpp"]
+        simulate, said = self.compiled("solver", sources, [*WARNINGS, *SOLVER, "-c"])
+        if not simulate:
+            return None, said
+        program = copy / "program"
+        ok, linker = compile_to(program, [self.compiler, str(simulate), str(checks)], copy)
+        return (program if ok else None), said + linker
 
 
 # ----------------------------------------------------------------------------------- running

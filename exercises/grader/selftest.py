@@ -17,7 +17,7 @@ from .program import find_compiler
 
 def promised(path):
     """What a mutant's header says: {check: "all" or "some"}, or {"builds": "all"}."""
-    found = re.search(r"^// loses: (.+)$", path.read_text(), re.MULTILINE)
+    found = re.search(r"^(?://|#) loses: (.+)$", path.read_text(), re.MULTILINE)
     if not found:
         raise course.BadExercise(f"{path}: the header must have a line '// loses: CHECK ...'")
     words = found.group(1).split()
@@ -49,10 +49,10 @@ def mismatch(kind, sheet, promise):
 def subjects(exercise):
     """(name, kind, path, promise) of everything that is graded."""
     folder = exercise.folder
-    yield "starter", "starter", folder / "starter.cpp", {}
+    yield "starter", "starter", exercise.starter(), {}
     for name in "solution", "solution2":
-        yield name, "solution", folder / f"{name}.cpp", {}
-    for path in sorted((folder / "mutants").glob("*.cpp")):
+        yield name, "solution", folder / f"{name}{exercise.suffix}", {}
+    for path in sorted((folder / "mutants").glob(f"*{exercise.suffix}")):
         yield path.stem, "mutant", path, promised(path)
 
 

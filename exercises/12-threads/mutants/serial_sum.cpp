@@ -1,0 +1,19 @@
+// loses: shared
+// The forces are computed by all, and summed up by one.
+#include "exercise.hpp"
+
+void sum_forces(const Packing& packing, int threads, Forces& forces) {
+  const int count = static_cast<int>(packing.pairs.size()), n = forces.size();
+  std::vector<Vec3> of_pair(packing.pairs.size());
+  std::vector<std::vector<int>> mine(static_cast<std::size_t>(n));  // pairs of each sphere
+  for (int k = 0; k < count; ++k) {
+    mine[packing.pairs[k].i].push_back(k);
+    mine[packing.pairs[k].j].push_back(k);
+  }
+  team(threads, [&](int t) {
+    for (int k = t; k < count; k += threads) of_pair[k] = pair_force(packing, packing.pairs[k]);
+  });
+  for (int i = 0; i < n; ++i)
+    for (const int k : mine[i])
+      forces.add(i, packing.pairs[k].i == i ? of_pair[k] : -of_pair[k]);
+}

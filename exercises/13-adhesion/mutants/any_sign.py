@@ -1,0 +1,6 @@
+# loses: parameter
+# The range allows negative numbers.
+CHANGES = [
+    ('"M/T^2", "[0, inf)"',
+     '"M/T^2", "(-inf, inf)"'),
+]
