@@ -290,10 +290,9 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
       const real way = norm(dt * v), angle2 = square(h) + square(k);
       moved.set(l, {{x, g.R, v, g.m_inv, w, g.R_inv}, q});
       checks.set(l, {way, g.room - way, square(w), angle2}); }
-    for (int l = 0; l < n; ++l) {
-      const Check c = checks.get(l); Grain& g = s.grains[first + l]; const Rigid was = g;
+    for (int l = 0; l < n; ++l) { auto c = checks.get(l); Grain &g = s.grains[first + l], was = g;
       if (!(c.way <= g.R)) fail(b, first + l, "moved more than its radius in one step");
-      if (!(c.way + s.wall_way <= g.R)) fail(b, first + l, "and a wall move its radius in a step");
+      if (!(c.way + s.stride <= g.R)) fail(b, first + l, "and a wall move its radius in a step");
       if (!(c.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
       moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room, b.excess = max(b.excess, -c.room);
       if (orientation && c.angle2 > small_angle2)
@@ -342,9 +341,8 @@ void Simulation::sort_elements() {
         far = max(far, norm(mesh.corner(e, c) - g.P)); }
     g.tree.build(count(all), [&](int k) { return boxes[k]; });
     for (int& k : g.tree.order) k = all[k];
-    g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
-    if (g.moves && !all.empty()) wall_way = max(wall_way, g.speed * p.dt);
-    g.step = rotation<true>(p.dt / 2 * g.W); } move_mesh(); }
+    g.speed = all.empty() ? 0 : 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
+    g.step = rotation<true>(p.dt / 2 * g.W), stride = max(stride, g.speed * p.dt); } move_mesh(); }
 void Simulation::move_mesh() {
   for (Group& g : groups) if (g.moves) {
     const real angle = 2 * pi * g.F * time() + g.phase;
