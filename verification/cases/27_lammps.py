@@ -1,4 +1,4 @@
-"""Case 26: the same scenes by the solver and by LAMMPS, handed over and back by lammps.py."""
+"""Case 27: the same scenes by the solver and by LAMMPS, handed over and back by lammps.py."""
 import os
 import shutil
 import subprocess
@@ -344,7 +344,7 @@ def draw(data, out):
         ax[2].semilogy(rows["angle_deg"], np.maximum(miss, 1e-17), **line[code], label=code)
     style.label(ax[2], "impact angle / deg", "distance from the reference", "step / 32")
     ax[2].legend()
-    style.save(fig, out, "26_lammps")
+    style.save(fig, out, "27_lammps")
 
     fig, ax = style.figure(1, 2)
     work = style.read(data / "precision.csv")
@@ -355,7 +355,7 @@ def draw(data, out):
         style.label(panel, "force evaluations in an impact", "error / impact speed",
                     f"{angle} degrees")
         panel.legend()
-    style.save(fig, out, "26_lammps_work")
+    style.save(fig, out, "27_lammps_work")
 
     fig, ax = style.figure(1, 2)
     for panel, name, x, y, labels in (
@@ -369,4 +369,4 @@ def draw(data, out):
             panel.plot(rows[x], 1000 * rows[y], **line[code], label=code)
         style.label(panel, *labels)
         panel.legend()
-    style.save(fig, out, "26_lammps_beds")
+    style.save(fig, out, "27_lammps_beds")
