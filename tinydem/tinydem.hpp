@@ -348,7 +348,6 @@ struct Simulation {
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
-  real wall_way = 0;                     // how far a wall moves in a step, at most [L]
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
