@@ -347,8 +347,8 @@ struct Simulation {
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
-  real spawn_radius = 0, horizon = 1, stride = 0;  // drawn, not yet placed [L]; see sort_particles;
-  bool printed, friction, stale = true;  // way of walls in a step [L]; --scheme paper; list too old
+  real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
+  bool printed, friction, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
   bool step(); void list_neighbours();  // all threads of a team call these, one thread the others
