@@ -608,8 +608,7 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
     if (!unknown || from > 0) c.settings.push_back({a.substr(from, to - from), "", "command line"});
     unknown = from > 0; }
   return c; }
-static void run(const Command& command) {
-  const auto settings = [&](const string& scene) {
+static void run(const Command& command) { const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
     all.insert(all.end(), command.settings.begin(), command.settings.end()); return resolve(all); };
   Parameters p = settings(command.scene);
@@ -619,9 +618,10 @@ static void run(const Command& command) {
   Simulation s(p, p.mesh.empty() ? Mesh() : read_mesh(p.mesh, p.Rmesh.size()),
                p.particles.empty() ? vector<Particle>() : read_particles(p.particles));
   if (!resuming) open_folder(p, command.overwrite || command.resume);
-  if (const double times = double(p.dt / default_step(p)); times > 1.01)
-    std::cerr << "warning: dt is " << times << " times Eq. (50): about " << 12.7 / times
-              << " steps per contact, errors of " << 2 * times << " %, unstable from 5 times\n";
+  const real times = p.dt / default_step(p), mu = min(p.mus, real(3));  // limit: a fit, case 26
+  if (times > real(1.01)) std::cerr << "warning: dt is " << text(times, 3) << " times Eq. (50): "
+      << text(13 / times, 2) << " steps per contact, errors of " << text(2 * times, 2)
+      << " %, unstable from " << text((24 - 12 * s.material.beta) / (5 + mu), 2) << " times\n";
   const auto now = [] { return double(std::chrono::steady_clock::now().time_since_epoch() / 1ns); };
   const long first = resuming ? resume(s) : 0; const double start = now();
   for (long frame = first; frame <= p.Nframes; ++frame) {
