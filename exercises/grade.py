@@ -2,6 +2,7 @@
 """The exercises: grade an answer, show the progress, make a hand-out, grade a class.
 
     ./dem grade [NN ...] [--watch]      build and grade your answers (all, or those named)
+    ./dem lab [NAME]                    make the runs of a lab sheet
     ./dem progress                      the table of points
     ./dem handout DIR                   the tree for students: no solutions, no mutants
     ./dem gradebook SUBMISSIONS_DIR     grade a class
@@ -21,7 +22,7 @@ TOP = Path(__file__).resolve().parent
 sys.path.insert(0, str(TOP))
 sys.dont_write_bytecode = True
 
-from grader import course, program  # noqa: E402  (after the path is known)
+from grader import course, labs, program  # noqa: E402  (after the path is known)
 
 BUILD = TOP.parent / "build" / "exercises"
 PROGRESS = TOP / "progress.json"
@@ -30,9 +31,14 @@ FULL = sum(course.CATEGORIES.values())
 
 # ---------------------------------------------------------------------------------- what is meant
 
+def find_all():
+    """All exercises, then all lab sheets."""
+    return course.find_exercises(TOP) + labs.find_labs(TOP)
+
+
 def choose(names):
-    """The exercises with these numbers (or folder names), all if there are none."""
-    every = course.find_exercises(TOP)
+    """The exercises with these numbers (or folder names), all if there are none; lab sheets too."""
+    every = find_all()
     known = {key: e for e in every for key in (e.number, e.slug)}
     for name in names:
         if name.rstrip("/").split("/")[-1] not in known and name.zfill(2) not in known:
@@ -142,18 +148,41 @@ def do_grade(options):
     return 0 if grade_once(exercises, options, compiler) else 1
 
 
+def do_lab(options):
+    from grader import lab_runs
+    every = {lab.folder.name: lab for lab in labs.find_labs(TOP)}
+    lab = every.get(options.name.replace("lab-", "", 1).rstrip("/").split("/")[-1])
+    if not lab:
+        raise course.Mistake(f"there is no lab sheet '{options.name}'; there are "
+                             f"{', '.join(every)}")
+    if options.instructor:
+        lab_runs.instructor_table(lab, options.program, options.output)
+        return 0
+    labs.need_prediction(lab)
+    values = options.at or lab.sheet.VALUES
+    if not set(values) <= set(lab.sheet.VALUES):
+        raise course.Mistake(f"--at must be of {', '.join(f'{v:g}' for v in lab.sheet.VALUES)}")
+    print(f"# {lab.sheet.ROW}      for [runs] of {lab.answer()}", flush=True)
+    for row in lab_runs.make_runs(lab, lab_runs.seed_list(options.seeds), options.program,
+                                  options.output, values):
+        print(" ".join(row), flush=True)
+    print(f"# pictures: {options.output}/{lab.slug}/*/result.png")
+    return 0
+
+
 def do_progress(_):
     table = json.loads(PROGRESS.read_text()) if PROGRESS.exists() else {}
     total = 0
-    every = course.find_exercises(TOP)
-    print(f"{'':3} {'exercise':<44}{'level':<6}{'last':>6}{'best':>6}")
+    every = find_all()
+    wide = max(len(e.number) for e in every)
+    print(f"{'':{wide}} {'exercise':<44}{'level':<6}{'last':>6}{'best':>6}")
     for e in every:
         entry = table.get(e.slug)
         last, best = (f"{entry[k]:g}" if entry else "-" for k in ("last", "best"))
         bar = "#" * round((entry or {"best": 0})["best"] / 10)
-        print(f"{e.number:3} {e.title:<44}{e.level:<6}{last:>6}{best:>6}  {bar}")
+        print(f"{e.number:{wide}} {e.title:<44}{e.level:<6}{last:>6}{best:>6}  {bar}")
         total += (entry or {"best": 0})["best"]
-    print(f"{'':3} {'all':<44}{'':6}{'':6}{total:>6g}  of {FULL * len(every)}")
+    print(f"{'':{wide}} {'all':<44}{'':6}{'':6}{total:>6g}  of {FULL * len(every)}")
     return 0
 
 
@@ -194,6 +223,14 @@ def command_line():
     sub.add_argument("--self-test", action="store_true",
                      help="instructors: starter, solutions and mutants, and who fails what")
     common(sub)
+    sub = verb("lab", "make the runs of a lab sheet", do_lab)
+    sub.add_argument("name", help="folder in exercises/labs, e.g. repose")
+    sub.add_argument("--seeds", default="1-4", help="e.g. 101-104, or 7,9,12: choose your own")
+    sub.add_argument("--at", type=float, action="append", help="only this value of the parameter")
+    sub.add_argument("--program", default=str(TOP.parent / "build/default/tinydem"),
+                     help="the solver (./dem lab builds it)")
+    sub.add_argument("--output", default="output", help="where the runs go (default: output)")
+    sub.add_argument("--instructor", action="store_true", help=argparse.SUPPRESS)
     verb("progress", "the table of points", do_progress)
     if (TOP / "grader" / "classroom.py").exists():
         sub = verb("handout", "write the tree for students", do_handout)

@@ -56,6 +56,8 @@ expect 1 'apt-get install g++ cmake make' build
 expect 1 'dnf install gcc-c++ cmake make' run box
 expect 1 'brew install gcc cmake make' setup
 expect 1 'conda install -c conda-forge gxx cmake make' test
+expect 1 'apt-get install doxygen' docs
+expect 2 'the only option is --update' docs --updat
 
 machine no_root
 stub apt-get 'echo "apt-get $*" >> "$LOG"'

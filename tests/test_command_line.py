@@ -161,7 +161,7 @@ class CommandLine(unittest.TestCase):
             (["floor.off", "bad.csv", "out"], "bad.csv:2: z = 'nan'"),
             (["", "twins.csv", "out"], "particle 1"),
             (["", "deep.csv", "out"], "overlaps particle"),
-            (["", "", "floor.off"], "floor.off: cannot be a directory; name another"),
+            (["", "", "floor.off"], "floor.off: cannot be a directory to write in; name another"),
             (["", "", "/proc/nowhere/out"], "/proc/nowhere/out"),
         ]
         before = sorted(self.folder.iterdir())

@@ -150,13 +150,11 @@ TEST_CASE("exact: mistakes in particle files are reported together with their li
     string content;
     vector<string> mistakes;
   };
-  vector<string> columns;
-  for (const string& name : split(csv_header, ',')) columns.push_back("FILE:0: column '" + name + "'");
   const Case cases[] = {
-      {"", columns},
+      {"", {"FILE:0: column 'wz' must stand here once; the header is x,y,z,R,"}},
       {"x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,w\n", {"FILE:1: column 'wz' must stand here once"}},
-      {"x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz,m\n", {"FILE:1: unknown columns"}},
-      {"x,x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz\n", {"FILE:1: column 'x' must stand here once", "FILE:1: unknown columns"}},
+      {"x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz,m\n", {"FILE:1: column 'm' is unknown"}},
+      {"x,x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz\n", {"FILE:1: column 'x' must stand here once"}},
       {header + "0,0,nan,1,0,0,0,1,0,0,0,0,0,0\n0,0,0,1,0,0,0,1,0,0,0,0,0\n",
        {"FILE:2: z = 'nan' must be a finite number", "FILE:3: wz = ''"}},
       {header + "0,0,0,1,0,0,0,1,0,0,0,0,0,0,5\n", {"FILE:2: '5' is one value too many"}},
@@ -226,7 +224,7 @@ TEST_CASE("exact: values out of range, malformed values and unknown names") {
   }
   CHECK(match(message([] { resolve({{"E", "-1", "A"}, {"nu", "9", "B"}, {"en", "2", "C"}}); }), {"A: E", "B: nu", "C: en"}));
   CHECK(match(message([] { resolve({{"E", "x", "A"}, {"foo", "9", "B"}}); }), {"A: E", "B: 'foo'"}));
-  CHECK(match(message([] { resolve({{"Rmin", "1", "A"}}); }), {"default: Rmax"}));
+  CHECK(match(message([] { resolve({{"Rmin", "1", "A"}}); }), {"A: Rmax = '0.01' must be a number in [Rmin, inf)"}));
 }
 TEST_CASE("exact: a later setting beats an earlier one") {
   CHECK(resolve({{"E", "1", "scene"}, {"E", "2", "command line"}}).E == 2);

@@ -126,6 +126,18 @@ class Hostile(unittest.TestCase):
         self.assertIn("memory", told(sheet, "unequal_spheres"))
         self.assertIn("bad_alloc", told(sheet, "unequal_spheres"))
 
+    def test_threads_without_end(self):
+        text = spoiled("std::vector<std::thread> all;\n  for (int k = 0; i.R != j.R && k < 100000; "
+                       "++k) all.emplace_back([] { for (;;) pause(); });",
+                       "#include <thread>\n#include <vector>\n#include <unistd.h>\n")
+        self.only_unequal(graded(text))
+
+    def test_global_state(self):
+        """An answer that counts its calls loses the check of memory, and what its calls spoil."""
+        sheet = graded(spoiled("static int calls = 0;\n  if (++calls > 60) return {0, 0, 0};"),
+                       ["equal_spheres", "no_memory"])
+        self.assertEqual(lost(sheet), {"no_memory"})
+
     def test_nan(self):
         sheet = graded(spoiled("if (i.R != j.R) return {std::nan(\"\"), 0, 0};"))
         self.only_unequal(sheet)
@@ -219,6 +231,38 @@ class Hostile(unittest.TestCase):
 
     def test_macros_do_not_reach_the_checks(self):
         self.assertEqual(graded(SOLUTION + "#define double float\n#define return\n").points, 100)
+
+
+class Feedback(unittest.TestCase):
+    """What a student is told about a check that failed."""
+
+    def test_fields(self):
+        text = (HERTZ.folder / "mutants" / "two_thirds.cpp").read_text()
+        sheet = graded(text, ["equal_spheres"])
+        said = " ".join(sheet.as_dict()["checks"][1]["feedback"])
+        for part in ("Eqs. (5), ", "measured: (", "expected: (", " N; error 0.5, allowed 1e-09",
+                     "at: ", "likely cause: 2/3", "--check equal_spheres --seed 1"):
+            self.assertIn(part, said)
+
+    def test_every_check_of_every_exercise_has_them(self):
+        without_equations = {"10", "11", "12", "14", "15"}  # geometry, search, programming
+        for e in course.find_exercises(EXERCISES):
+            for c in e.checks:
+                self.assertTrue(c.title, f"{e.slug}: {c.name}")
+                self.assertTrue(c.eq or e.number in without_equations, f"{e.slug}: {c.name}")
+                self.assertTrue(c.cause or c.category == "clean", f"{e.slug}: {c.name}")
+
+    def test_the_command_repeats_the_check(self):
+        answer = SCRATCH / "again.cpp"
+        answer.write_text((HERTZ.folder / "mutants" / "two_thirds.cpp").read_text())
+        sheet = course.grade(HERTZ, answer, SCRATCH / "build", COMPILER, seeds=[3])
+        for line in [x for x in sheet.lines if not x.full][:1]:
+            words = re.search(r"again: \./dem (.*)", course.feedback(line, sheet)[-1]).group(1)
+            code, said = run(ROOT, *words.split(), "--file", answer, "--json")
+            again = json.loads(said)[0]["checks"]
+            self.assertEqual(code, 1)
+            self.assertEqual([(x["name"], x["points"]) for x in again[1:]],
+                             [(line.name, line.points)])
 
 
 class SameScores(unittest.TestCase):

@@ -21,6 +21,7 @@ static Momenta momenta(const Simulation& s) {
   }
   return a;
 }
+// Eqs. (1, 2, 31, 56-60)
 TEST_CASE("exact: impacts of two and of thousands of spinning spheres keep both momenta") {
   const vector<Particle> two = {
       ball({0, 0, 0}, real(0.005), {1, real(0.3), -1}, {100, -50, 20}),
@@ -44,6 +45,7 @@ TEST_CASE("exact: impacts of two and of thousands of spinning spheres keep both 
     }
 }
 
+// Eqs. (26, 36-38)
 TEST_CASE("exact: meshed gears and rigid rotation feel no friction") {
   const real Ri = real(0.004), Rj = real(0.0097), delta = Ri / 10, ri = Ri - delta / 2, rj = Rj - delta / 2;
   const Vec3 n{real(0.48), real(0.6), real(0.64)}, axis{10, -20, 50}, spin = cross(n, axis), x = (Ri + Rj - delta) * n;
@@ -92,6 +94,7 @@ static double restitution_error(const string& en, bool wall, real shorter) {
   }
   return std::sqrt(sum / phases);
 }
+// Eqs. (5, 18, 21)
 TEST_CASE("rate: head-on restitution approaches e_n, order 1") {
   struct Case {
     string en;
@@ -124,6 +127,7 @@ static std::pair<double, double> elastic_errors(bool wall, real shorter) {
   }
   return {energy.error, double(abs(predicted / lasted - 1))};
 }
+// Eqs. (5, 12, 44, 45)
 TEST_CASE("rate: energy within an elastic impact, order 1, and the duration of the impact") {
   for (const bool wall : {false, true}) {
     const auto coarse = elastic_errors(wall, 16), fine = elastic_errors(wall, 64);
@@ -134,6 +138,7 @@ TEST_CASE("rate: energy within an elastic impact, order 1, and the duration of t
   }
 }
 
+// Eqs. (53-55)
 TEST_CASE("exact: no oblique impact on a wall gains energy [D1, D2]") {
   Largest ratio;
   for (const string en : {"0.3", "0.5", "0.8"})
@@ -152,6 +157,7 @@ TEST_CASE("exact: no oblique impact on a wall gains energy [D1, D2]") {
   CHECK(ratio.error < 1);  // measured 
 }
 
+// Eqs. (6, 12-14, 19-24, 53)
 TEST_CASE("exact: force and spring of a contact that sticks") {
   for (const bool wall : {false, true}) {
     const Parameters p = scene("mus = 1; Rmesh = 0; nu = 0.2; en = 0.6");

@@ -6,6 +6,7 @@
 
 using namespace tinydem;
 
+// Eqs. (42, 44, 45)
 TEST_CASE("exact: free fall") {
   const Parameters p = scene("g = 0.3,-1.7,-9.81; dt = 1e-3");
   const Vec3 x0{real(0.1), real(-0.2), 3}, v0{1, 2, -3};
@@ -20,6 +21,7 @@ TEST_CASE("exact: free fall") {
   CHECK(worst.error < 2e-13);  // measured 3.6e-14
 }
 
+// Eqs. (3, 4, 42-46)
 TEST_CASE("exact: Stokes drag on fall and spin") {
   const Parameters p = scene("g = 0.3,-1.7,-9.81; eta = 0.02; dt = 1e-3");
   const Vec3 x0{real(0.1), real(-0.2), 3}, v0{1, 2, -3}, w0{-4, 5, 6};
@@ -48,6 +50,7 @@ static Eigen::Quaternion<real> orientation(const Simulation& s) {
 static Eigen::Quaternion<real> rotation(real angle, const Vec3& axis) {
   return Eigen::Quaternion<real>(Eigen::AngleAxis<real>(angle, Eigen::Matrix<real, 3, 1>(axis.x, axis.y, axis.z)));
 }
+// Eqs. (47-49)
 TEST_CASE("exact: two quarter turns about the axes of the laboratory") {
   for (const string scheme : {"consistent", "paper"})
     for (const long steps : {3, 1000}) {  // large angles and small ones
@@ -65,6 +68,7 @@ TEST_CASE("exact: two quarter turns about the axes of the laboratory") {
     }
 }
 
+// Eqs. (43, 46-48)
 TEST_CASE("exact: angle of a spin that drag slows down") {
   const Parameters p = scene("dt = 1e-3; eta = 0.05");
   const Vec3 axis{real(0.6), 0, real(0.8)};

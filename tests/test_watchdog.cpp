@@ -64,7 +64,7 @@ TEST_CASE("exact: a run stops at a particle that is too fast, too deep in anothe
       {"", {far, ball({}, R, {0, 0, real(0.99) * fast})}, {}},
       {"particle 2 moved more than its radius", {far, ball({}, R, {0, 0, real(1.01) * fast})}, {}},
       {"overlaps another by more than a radius", pair(real(0.4) * fast), {}},
-      {"particle 2 overlaps a mesh element by more than its radius",
+      {"particle 2 passes through a mesh element",
        {far, ball({0, 0, real(1.2) * R}, R, {0, 0, real(-0.6) * fast})}, point}};
   for (const Case& c : cases) {
     const string message = failure(Simulation(p, c.mesh, c.particles), 5);

@@ -9,6 +9,7 @@ Corners of STL triangles that are the same number for number become one vertex, 
 without an area are left out. --merge LENGTH also merges corners that are that close.
 """
 import argparse
+import codecs
 import math
 import struct
 from pathlib import Path
@@ -95,6 +96,7 @@ def read_stl(path):
         data = Path(path).read_bytes()
     except OSError as error:
         fail(f"{path}: cannot be read ({error.strerror}); try: the name of an STL file")
+    data = data.removeprefix(codecs.BOM_UTF8)
     count = struct.unpack_from("<I", data, 80)[0] if len(data) >= HEAD else 0
     if len(data) >= HEAD and len(data) == HEAD + RECORD.itemsize * count:
         return _binary(path, data, count)

@@ -4,23 +4,17 @@
 // g++ -std=c++17 -O3 -fopenmp -I/usr/include/eigen3 -o tinydem tinydem.cpp
 #include "tinydem.hpp"
 #include <map>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+extern "C" int omp_get_max_threads() noexcept;
 namespace tinydem {
 // ------------------------------------------------------------------------------ 1 parameters
 /// A parameter; type is the first letter of its type in the table.
-struct Option {
-  const char *name, *dimension, *range, *help; void* at; char type;
+struct Option { const char *name, *dimension, *range, *help; void* at; char type;
   template <class T> T& as() const { return *static_cast<T*>(at); }
   Reals numbers() const {
     return type == 's' ? Reals() : type == 'R' ? as<Reals>() : type == 'l' ? Reals{real(as<long>())}
                        : Reals(&as<real>(), &as<real>() + (type == 'V' ? 3 : 1)); } };
-static vector<Option> options(Parameters& p) {
-#define X(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
-  return {TINYDEM_PARAMETERS(X)};
-#undef X
-}
+#define TINYDEM_OPTION(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
+static vector<Option> options(Parameters& p) { return {TINYDEM_PARAMETERS(TINYDEM_OPTION)}; }
 static string text(const Reals& values, int digits = 0) { string s;
   for (const real& a : values) s += (&a == &values[0] ? "" : ",") + text(a, digits);
   return s; }
@@ -48,8 +42,7 @@ static bool read_motion(const Parameters& p, vector<Group>& groups) {
     if (!(kind == "translate" ? n == 3 && put(2, &g.V, 'V')
         : kind == "rotate" ? n == 4 && put(2, &g.P, 'V') && put(3, &g.W, 'V')
         : kind == "vibrate" && put(2, &g.A, 'V') && put(3, &g.F, 'r') && n <= 5 &&
-          (n == 4 || put(4, &g.phase, 'r')))) return false; }
-  return true; }
+          (n == 4 || put(4, &g.phase, 'r')))) return false; } return true; }
 /// Are the numbers of an option in its range, e.g. "(-1, 0.5]", "[Rmin, inf)"?
 static bool in_range(const Option& o, const Parameters& p) {
   double low = -HUGE_VAL, high = HUGE_VAL; std::sscanf(o.range + 1, "%lf, %lf", &low, &high);
@@ -58,15 +51,13 @@ static bool in_range(const Option& o, const Parameters& p) {
     if (!(v >= real(low) && v <= real(high)) || (v == real(low) && *o.range == '(')) return false;
   return (o.at != &p.Rmax || a[0] >= p.Rmin) && (o.at != &p.motion || read_motion(p, groups)) &&
          (o.at != &p.smax || (a[0] >= p.smin.x && a[1] >= p.smin.y && a[2] >= p.smin.z)); }
-/// Number of letters to change, insert or remove between two names.
-static size_t distance(const string& a, const string& b) {
-  vector<size_t> d(b.size() + 1); for (size_t j = 0; j <= b.size(); ++j) d[j] = j;
-  for (size_t i = 1; i <= a.size(); ++i)
-    for (size_t j = 1, was = std::exchange(d[0], i); j <= b.size(); ++j)
-      was = std::exchange(d[j], min({d[j] + 1, d[j - 1] + 1, was + (a[i - 1] != b[j - 1])}));
-  return d.back(); }
-vector<Setting> read_scene(const string& path) {
-  Reader in(path); vector<Setting> all;
+/// Number of letters that are in one name only.
+static long distance(const string& a, const string& b) { long d = 0;
+  const auto in = [](auto& s, int c) { return std::count_if(s.begin(), s.end(), [c](int l) {
+    return std::tolower(l) == c; }); };
+  for (int c = '0'; c <= 'z'; ++c) d += abs(in(a, c) - in(b, c));
+  return d; }
+vector<Setting> read_scene(const string& path) { Reader in(path); vector<Setting> all;
   while (in.next('=')) {
     if (in.tokens.size() != 2) in.complain("'" + in.line + "' must be name = value");
     Setting s{in.tokens[0], in.tokens.back(), in.where()};
@@ -90,13 +81,17 @@ Parameters resolve(const vector<Setting>& settings) {
     const Option& o = *std::min_element(table.begin(), table.end(),
                                         [&](auto& a, auto& b) { return off(a) < off(b); });
     if (s.name != o.name)
-      problems.add(s.where, "'" + s.name + "' is unknown; did you mean '" + o.name + "'?");
+      problems.add(s.where, "'" + s.name + "' is unknown; " + (2 * off(o) > count(s.name) + 1 ?
+                                "see --help" : string("did you mean '") + o.name + "'?"));
     else if (used[s.name] = s; !assign(o, s.text)) complain(o, s); }
+  const auto place = [&](const Option& o) {  // of a wrong default: what its range depends on
+    const auto low = used.find(split(o.range + 1, ',')[0]);
+    return low == used.end() ? "default" : low->second.where; };
   if (std::isnan(p.mut)) p.mut = 2 * p.mus / 3;                                 // Eq. (41)
   if (std::isnan(p.dt)) p.dt = default_step(p);
   for (const Option& o : table)
     if (!in_range(o, p) && (used.count(o.name) || problems.count == 0))
-      complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), "default"});
+      complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), place(o)});
   return problems.stop_if_any(), p; }
 // ---------------------------------------------------------------------------- 2 contact law
 //     i          d = x_i - x_j points from j to i, n = d/|d|; forces act on i, and with the
@@ -114,13 +109,11 @@ template <class T> Material<T> material_of(const Parameters& p) {
   m.beta = 1 / std::sqrt(1 + std::pow(T(pi) / std::log(en), T(2)));             // Eq. (21)
   m.cs_cn = std::sqrt((1 - nu) / (10 * (2 - nu)));                              // Eq. (25)
   m.kn_ks = m.Estar / (6 * m.Gstar);                                            // Eqs. (12, 13)
-  m.mus = T(p.mus), m.mur = T(p.mur), m.mut = T(p.mut), m.dt = T(p.dt);
-  return m; }
+  m.mus = T(p.mus), m.mur = T(p.mur), m.mut = T(p.mut), m.dt = T(p.dt); return m; }
 /// Geometry and relative motion of a contact; R: the smaller radius, stiff: 2 at a wall, else 1.
 template <class T> struct Approach {
   T delta, R, ri, rj, Rstar, mstar, vn, vt, stiff; Vec<T> n, vs, vr; };
-template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) {
-  Approach<T> c;
+template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& j) { Approach<T> c;
   const bool wall = j.R_inv == 0; c.R = select(wall, i.R, min(i.R, j.R));
   c.stiff = select(wall, T(2), T(1));                                           // Eqs. (22, 23)
   const Vec<T> d = i.x - j.x;                                                   // Eq. (8)
@@ -165,8 +158,7 @@ template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
 /// The contact law. M says which friction modes the scene has.
 template <class M, class T>
 INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<T>& mat) {
-  Loads<T> r;
-  const T a = sqrt(c.Rstar * c.delta);                                          // Eq. (14)
+  Loads<T> r; const T a = sqrt(c.Rstar * c.delta);                              // Eq. (14)
   const T kn = T(4) / 3 * (c.stiff * mat.Estar) * a;                            // Eq. (12)
   const T ks = 8 * (c.stiff * mat.Gstar) * a;                                   // Eq. (13)
   const T cn = mat.beta * sqrt(5 * c.mstar * kn);                               // Eq. (18)
@@ -180,49 +172,71 @@ INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<
     const Vec<T> fs = friction<M>(u.us, c.vs, s, mat.mus * load);               // Eq. (6)
     r.f += fs;
     r.ti = c.ri * cross(fs, c.n);                                               // Eq. (31)
-    r.tj = c.rj * cross(fs, c.n);                                               // Eq. (60)
-  }
+    r.tj = c.rj * cross(fs, c.n); }                                             // Eq. (60)
   if constexpr (M::rolling) {
     u.ur = turn(u.ur, c.n);                                                     // Eq. (52)
     const Vec<T> fr = friction<M>(u.ur, c.vr, n, mat.mur * load);               // Eq. (34)
     const Vec<T> tr = c.Rstar * cross(c.n, fr);                                 // Eq. (32)
-    r.ti += tr, r.tj += -tr;                                                    // Eq. (58)
-  }
+    r.ti += tr, r.tj += -tr; }                                                  // Eq. (58)
   if constexpr (M::twisting) {
     const T ft = friction<M>(u.ut, c.vt, s, mat.mut * load);                    // Eq. (35)
     const Vec<T> tt = ft * c.Rstar * c.n;                                       // Eq. (33)
-    r.ti += tt, r.tj += -tt;                                                    // Eq. (59)
-  }
+    r.ti += tt, r.tj += -tt; }                                                  // Eq. (59)
   return r; }
 // ------------------------------------------------------------------------------- 3 time step
 template <bool s, bool r, bool t, bool p = false> struct Modes {  // what is compiled in
   static constexpr bool sliding = s, rolling = r, twisting = t, printed = p, any = s || r || t; };
-static void fail(Slab& b, int i, const char* why) {
-  if (b.culprit < 0) b.culprit = i, b.reason = why; }
-/// A mesh element as a particle sees it: a body at its closest point.
-Body<real> Simulation::wall(int element, const Vec3& centre) const {
+static void fail(Slab& b, int i, const char* s) { if (b.culprit < 0) b.culprit = i, b.reason = s; }
+/// A mesh element as a particle of velocity v sees it: a body at its closest point. v is that of
+/// the middle of the last step, Eqs. (44, 45); so is the velocity of the surface, where x was then.
+Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) const {
   const Element& e = mesh.elements[element]; const Group& g = groups[e.group];
   if (!g.moves) return {closest_point(mesh, e, centre), p.Rmesh[e.group], {}, 0, {}, 0};
   const Vec3 x = g.there(closest_point(mesh, e, g.back(centre)));
-  return {x, p.Rmesh[e.group], g.v + cross(g.W, x - g.P), 0, g.W, 0}; }
-/// Turns the springs of a contact with a rotating mesh element: they are at rest on its surface.
-void Simulation::carry(const Pair& c, Springs<real>& u) const {
-  const Group& g = groups[mesh.elements[-1 - c.j].group];
-  if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur); }
+  return {x, p.Rmesh[e.group], g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
+/// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
+/// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
+bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, int& heir) const {
+  const auto& pairs = b.pairs; const int i = pairs[k].i; const Grain& a = grains[i];
+  const auto group = [&](int l) { return mesh.elements[-1 - pairs[l].j].group; };
+  const bool fresh = !(pairs[k].touching & 1);
+  const auto rival = [&](int l) {
+    return pairs[l].i == i && pairs[l].j < 0 && group(l) == group(k); };
+  const auto point = [&](int l, const Vec3& x) { return wall(-1 - pairs[l].j, x).x; };
+  const auto on = [&](int l, const Vec3& x) { return norm(x - point(l, x)) < same_point * a.R; };
+  const real near = same_point * a.R + p.dt * norm(a.v - c.v);  // as far as a step moves c
+  bool nearest = true; int l = k; for (heir = -1; l > 0 && rival(l - 1);) --l;
+  for (; l < count(pairs) && rival(l); ++l) if (l != k) {
+    const Vec3 q = point(l, a.x), up = a.x - q; const real far = square(up) - square(a.x - c.x);
+    const bool above = dot(c.x - q, up) > same_point * square(a.R);  // then c is not on l
+    if (far < 0 || (far == 0 && l < k)) nearest = nearest && (above || !on(l, c.x));
+    else if (fresh && (pairs[l].touching >> (l < k)) & 1 && norm(q - c.x) < near) heir = l; }
+  return nearest; }
+/// Updates the state of a contact with the mesh: its springs come over a seam, turn with the group.
+bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, bool touch) {
+  Pair& at = b.pairs[k]; const Group& g = groups[mesh.elements[-1 - at.j].group]; int heir = -1;
+  touch = touch && is_nearest(b, k, c, heir), at.touching = char(2 * (at.touching & 1) + touch);
+  if (!touch || !friction) return touch;
+  Springs<real>& u = b.springs[k];
+  if (at.touching == 1) u = heir < 0 ? Springs<real>{} : b.springs[heir];
+  if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur);
+  return touch; }
 struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in the order of the list.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
   const Material<real> mat = s.material; Body<real> wall[block];
   int k[block];  // places of the contacts in the list
-  Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions;
-  b.contacts = 0;
+  Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions; b.contacts = 0;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
     for (; next < count(b.pairs) && n < block; ++next) {
+      const Pair& later = b.pairs[min(next + 16, count(b.pairs) - 1)];  // to be in the cache then
+      const char* const soon = reinterpret_cast<const char*>(&s.grains[max(later.j, 0)]);
+      __builtin_prefetch(soon), __builtin_prefetch(soon + 64), __builtin_prefetch(soon + 128);
       Pair& p = b.pairs[next]; const Body<real>& a = s.grains[p.i];
-      const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x) : s.grains[p.j];
-      const bool touch = square(a.x - c.x) < square(a.R + c.R);                 // Eq. (7)
-      if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
-      if (M::any && touch && p.j < 0) s.carry(p, b.springs[next]);
+      const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x, a.v) : s.grains[p.j];
+      bool touch = square(a.x - c.x) < square(a.R + c.R);                       // Eq. (7)
+      if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, touch); }
+      else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
       k[n] = next, n += touch; }
     bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i]; });
     bj.gather(n, [&](int l) {
@@ -232,12 +246,12 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
       if (M::any) u = springs.get(l);
       const Loads<real> r = contact_law<M>(c, u, mat);
-      reactions.set(l, {r.f, r.ti, r.tj, c.delta - c.R});
+      reactions.set(l, {r.f, r.ti, r.tj, c.delta - c.R - mat.dt * c.vn});
       if (M::any) springs.set(l, u); }
     for (int l = 0; l < n; ++l) {
       const auto [i, j, touching] = b.pairs[k[l]]; const Reaction r = reactions.get(l);
-      if (r.excess > 0) fail(b, i, j < 0 ? "overlaps a mesh element by more than its radius"
-                                         : "overlaps another by more than a radius");
+      if (!(r.excess <= 0)) fail(b, i, j < 0 ? "passes through a mesh element"
+                                            : "overlaps another by more than a radius");
       if (M::any) b.springs[k[l]] = springs.get(l);
       s.grains[i].f += r.f, s.grains[i].t += r.ti;                              // Eqs. (1, 2)
       if (j < b.first || j >= b.last) continue;  // a wall, or the other slab adds to j
@@ -258,7 +272,7 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
 struct Check { real way, room, spin2, angle2; };
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
-template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b) {
+template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
   const Vec3 gravity = s.p.g; b.excess = -1;
@@ -268,12 +282,9 @@ template <bool orientation, bool drag> INLINE void motion(Simulation& s, Slab& b
     grains.gather(n, [&](int l) { return &s.grains[first + l]; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
-      Vec3 a = g.m_inv * g.f + gravity;                                         // Eq. (42)
-      Vec3 alpha = I_inv * g.t;                                                 // Eq. (43)
-      if constexpr (drag) {
-        const real c = stokes * g.R_inv * g.R_inv;                              // Eq. (3)
-        const real gamma = real(10) / 3 * c;                                    // Eq. (4)
-        a = a - c * g.v, alpha = alpha - gamma * g.w; }
+      const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
+      const Vec3 a = g.m_inv * g.f + gravity - c * g.v;                         // Eq. (42)
+      const Vec3 alpha = I_inv * g.t - gamma * g.w;                             // Eq. (43)
       const Vec3 v = g.v + dt * a;                                              // Eq. (44)
       const Vec3 x = g.x + dt * v;                                              // Eq. (45)
       const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
@@ -308,9 +319,7 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
     : p(table), mesh(m), printed(p.scheme == "paper"),
       friction(printed || p.mus > 0 || p.mur > 0 || p.mut > 0), random(std::uint64_t(p.seed)),
       material(material_of<real>(p)) {
-  const bool turning = p.orientation == "on", drag = p.eta > 0;
-  motion_phase = turning && drag ? best<motion<1, 1>>() : turning ? best<motion<1, 0>>()
-                 : drag ? best<motion<0, 1>>() : best<motion<0, 0>>();
+  motion_phase = p.orientation == "on" ? best<motion<true>>() : best<motion<false>>();
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
                 : best_forces<0, 0, 0>();
@@ -323,7 +332,8 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
           (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
           " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it"); });
   supplied += elastic;
-  if (!std::isfinite(supplied)) problems.add("particles", "have no finite energy; slow them down");
+  if (problems.count == 0 && !std::isfinite(supplied))
+    problems.add("particles", "have no finite energy; slow them down");
   problems.stop_if_any(); }
 void Simulation::sort_elements() {
   for (int group = 0; group < count(groups); ++group) {
@@ -336,13 +346,13 @@ void Simulation::sort_elements() {
     g.tree.build(count(all), [&](int k) { return boxes[k]; });
     for (int& k : g.tree.order) k = all[k];
     g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
-    g.step = rotation<true>(p.dt / 2 * g.W); }
-  move_mesh(); }
+    g.step = rotation<true>(p.dt / 2 * g.W); } move_mesh(); }
 void Simulation::move_mesh() {
   for (Group& g : groups) if (g.moves) {
     const real angle = 2 * pi * g.F * time() + g.phase;
     g.shift = (std::sin(angle) - std::sin(g.phase)) * g.A + time() * g.V;
-    g.v = 2 * pi * g.F * std::cos(angle) * g.A + g.V, g.q = rotation<true>(time() / 2 * g.W); }}
+    g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
+    g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) {
   const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
@@ -366,8 +376,7 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin;
     if (spawn_radius <= 0) spawn_radius = p.Rmin + (p.Rmax - p.Rmin) * uniform();
     if (!is_free(at, spawn_radius)) continue;
     add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0}); }}
-/// Sorts particles. Their reach is the radius and what they cover until the list is built anew;
-/// `horizon` balances the cost of building against that of idle pairs.
+/// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
   constexpr double build = 100;  // a list costs, per particle, as much as so many idle pairs a step
   double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
@@ -402,8 +411,7 @@ void Simulation::find_pairs(Slab& b) {
   struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
   double n = 9; for (const Slab& s : old) n += (b.last - b.first) / (size() + 1.0) * count(s.pairs);
   b.pairs.reserve(size_t(1.2 * n)), b.springs.reserve(friction ? size_t(1.2 * n) : 0);
-  for (int i = b.first, last = i; i < b.last; ++i) {
-    const Grain& g = grains[i];
+  for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) {  // neighbours search together
       Box box; near.clear(), last = min(i + 8, b.last);
@@ -445,8 +453,7 @@ bool Simulation::step() { real excess = -1;
     if (motion_phase(*this, slabs[k]), k == 0) ++steps, move_mesh();
   if (spawning) {
 #pragma omp single
-    spawn(); }
-  return true; }
+    spawn(); } return true; }
 void Simulation::run(long n) {
 #pragma omp parallel num_threads(min(omp_get_max_threads(), count(slabs)))
   for (long k = 0; k < n && step(); ++k) {}
@@ -463,9 +470,10 @@ template <class F> void Simulation::each_contact(const F& found) const {
   for (const Slab& b : slabs) for (int k = 0; k < count(b.pairs); ++k) {
     const auto [i, j, touching] = b.pairs[k];
     if (0 <= j && j < i) continue;  // one half of those across slabs
-    const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);
+    const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x, bi.v) : Body<real>(grains[j]);
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
-    Springs<real> u = touching && friction ? b.springs[k] : Springs<real>{};
+    int heir = -1; if (j < 0 && !is_nearest(b, k, bj, heir)) continue;
+    Springs<real> u{}; if (touching & 1) heir = k; if (friction && heir >= 0) u = b.springs[heir];
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
@@ -484,15 +492,19 @@ Summary Simulation::summary() const { Summary s;
   return s; }
 /// Writes or reads all that a run needs to go on. After both it builds a new list: the same bits.
 void Simulation::archive(std::fstream& file, bool loading) {
+  std::uint64_t sum = 14695981039346656037u;  // FNV-1a
   const auto bytes = [&](void* at, size_t n) { char* const c = static_cast<char*>(at);
     if (loading) file.read(c, long(n)); else file.write(c, long(n));
-    if (loading && !file) throw InputError("restart.bin is not complete; use --overwrite"); };
+    if (loading && !file) throw InputError("restart.bin is not complete; use --overwrite");
+    for (size_t k = 0; k < n; ++k) sum = (sum ^ std::uint8_t(c[k])) * 1099511628211u; };
   const auto array = [&](auto& a) {
     size_t n = a.size(); bytes(&n, sizeof n), a.resize(n), bytes(a.data(), n * sizeof a[0]); };
   size_t n = slabs.size(); bytes(&n, sizeof n), slabs.resize(n), array(id), array(grains);
   for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
   for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
   for (Slab& b : slabs) bytes(&b.first, 2 * sizeof(int)), array(b.pairs), array(b.springs);
+  std::uint64_t stored = sum; const std::uint64_t expected = sum; bytes(&stored, sizeof stored);
+  if (stored != expected) throw InputError("restart.bin is damaged; use --overwrite");
   stale = true, particle_tree.order.clear();
   if (loading) move_mesh(), random.discard(std::uint64_t(draws)); }
 }  // namespace tinydem
@@ -513,8 +525,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   const string part = path.string() + ".part";
   std::fstream file(part, std::ios::binary | std::ios::out); std::error_code error;
   if (fill(file), file.close(), file.good()) fs::rename(part, path, error);
-  if (file && !error) return;
-  fs::remove(part, error);
+  if (!file || error) fs::remove(part, error); else return;
   throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
@@ -537,34 +548,34 @@ static Summary write_frame(Simulation& s, long frame, double speed) {
                e.potential, e.elastic, s.supplied - e.energy(), e.overlap, e.steps, real(speed)});
   if (log << std::endl; !log) throw RunError(folder.string() + "/log.csv: cannot be written");
   write(folder / "restart.bin",
-        [&](auto& file) { file << magic() << frame << "\n"; s.archive(file, false); });
-  return e; }
+        [&](auto& file) { file << magic() << frame << "\n"; s.archive(file, false); }); return e; }
 /// Goes back to the last complete frame; the next frame, or 0 when there is none.
 static long resume(Simulation& s) {
   const fs::path folder = s.p.output, restart = folder / "restart.bin";
   std::fstream file(restart, std::ios::binary | std::ios::in);
-  std::ifstream log(folder / "log.csv"); string line, first = magic();
+  std::ifstream log(folder / "log.csv"); string line, first = magic(), p = restart.string();
   if (!fs::exists(restart)) return 0;
   if (std::getline(file, line); line.compare(0, first.size(), first) != 0)
-    throw InputError(restart.string() + ": does not fit this program; use --overwrite");
-  const long frame = std::stol(line.substr(first.size())); s.archive(file, true);
+    throw InputError(p + ": does not fit this program; use --overwrite");
+  long frame = 0; try { frame = std::stol(line.substr(first.size())), s.archive(file, true); }
+  catch (const std::exception&) { throw InputError(p + ": is damaged; use --overwrite"); }
   for (long k = -1; k <= frame; ++k) std::getline(log, line);
   return fs::resize_file(folder / "log.csv", std::uintmax_t(log.tellg())), frame + 1; }
 /// Prepares the output directory: refuses to mix runs, keeps copies of what the run is made from.
 static void open_folder(Parameters p, bool overwrite) {
-  std::error_code error; const fs::path folder = p.output;
-  if (fs::create_directories(folder, error); !fs::is_directory(folder))
-    throw InputError(p.output + ": cannot be a directory; name another");
-  vector<fs::path> old;
+  std::error_code error; const fs::path folder = p.output; vector<fs::path> old;
+  if (fs::create_directories(folder, error); access((p.output + "/.").c_str(), W_OK | X_OK) != 0)
+    throw InputError(p.output + ": cannot be a directory to write in; name another");
   for (const auto& f : fs::directory_iterator(folder))
     for (const char* name : {"scene.ini", "log.csv", "restart.bin", "particles", "contacts"})
       if (f.path().filename().string().rfind(name, 0) == 0) old.push_back(f.path());
   if (!old.empty() && !overwrite)
     throw InputError(p.output + ": holds a run; add --overwrite or --resume, or name another");
+  fs::remove(folder / "scene.ini", error);  // from here on there is no run to go on with
   for (auto& [path, name] : {std::pair(&p.mesh, "mesh.off"), {&p.particles, "input.csv"}})
     if (!path->empty()) {
-      if (!fs::equivalent(*path, folder / name, error))
-        fs::copy_file(*path, folder / name, fs::copy_options::overwrite_existing);
+      if (std::ifstream from(*path); !fs::equivalent(*path, folder / name, error))
+        write(folder / name, [&](auto& file) { file << from.rdbuf(); });
       *path = name; }
   for (const auto& f : old) fs::remove(f);
   write(folder / "scene.ini", [&](auto& ini) {
@@ -572,14 +583,15 @@ static void open_folder(Parameters p, bool overwrite) {
     for (const Option& o : options(p))
       if (o.at != &p.output && !text(o).empty()) ini << o.name << " = " << text(o) << "\n"; }); }
 struct Command { bool overwrite, resume, quiet; string scene{}; vector<Setting> settings{}; };
-static Command read_command(int argc, char** argv) {
-  Command c{}; Parameters defaults;
+static Command read_command(int argc, char** argv) { Command c{}; Parameters defaults;
   CLI::App app{"TinyDEM: soft spheres with sliding, rolling and twisting friction"};
   app.set_version_flag("--version", version);
   app.add_option("--scene", c.scene, "scene file: lines name = value with the names below");
-  app.add_flag("--overwrite", c.overwrite, "replace the run in the output directory");
-  app.add_flag("--resume", c.resume, "go on with the run in the output directory");
-  app.add_flag("--quiet", c.quiet, "no lines on the standard output");
+  const auto flag = [&](const char* name, bool& on, const char* help) {
+    return app.add_flag(name, on, help)->disable_flag_override(); };
+  flag("--overwrite", c.overwrite, "replace the run in the output directory")
+      ->excludes(flag("--resume", c.resume, "go on with the run in the output directory"));
+  flag("--quiet", c.quiet, "no lines on the standard output");
   for (const Option& o : options(defaults)) {
     const string name = o.name;
     const string value = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : text(o);
@@ -593,21 +605,23 @@ static Command read_command(int argc, char** argv) {
   try { app.parse(argc, argv); } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) std::exit(app.exit(e));
     throw InputError(string("command line: ") + e.what() + "; see --help"); }
-  for (const string& a : app.remaining())
-    c.settings.push_back({a.substr(min(a.find_first_not_of('-'), a.size())), "", "command line"});
+  bool unknown = false;  // what follows an unknown option is its value
+  for (const string& a : app.remaining()) {
+    const size_t from = min(a.find_first_not_of('-'), a.size()), to = a.find(from < 2 ? '\0' : '=');
+    if (!unknown || from > 0) c.settings.push_back({a.substr(from, to - from), "", "command line"});
+    unknown = from > 0; }
   return c; }
 static void run(const Command& command) {
   const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
-    all.insert(all.end(), command.settings.begin(), command.settings.end());
-    return resolve(all); };
+    all.insert(all.end(), command.settings.begin(), command.settings.end()); return resolve(all); };
   Parameters p = settings(command.scene);
   const string folder = p.output, ini = folder + "/scene.ini";
   const bool resuming = command.resume && fs::exists(ini);
   if (resuming) p = settings(ini), p.output = folder;
   Simulation s(p, p.mesh.empty() ? Mesh() : read_mesh(p.mesh, p.Rmesh.size()),
                p.particles.empty() ? vector<Particle>() : read_particles(p.particles));
-  if (!resuming) open_folder(p, command.overwrite);
+  if (!resuming) open_folder(p, command.overwrite || command.resume);
   if (const double times = double(p.dt / default_step(p)); times > 1.01)
     std::cerr << "warning: dt is " << times << " times Eq. (50): about " << 12.7 / times
               << " steps per contact, errors of " << 2 * times << " %, unstable from 5 times\n";

@@ -27,10 +27,10 @@ typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or l
 using std::abs, std::max, std::min, std::size_t, std::string, std::to_string;
 const real pi = real(3.14159265358979323846264338327950288L);
 const real inf = real(HUGE_VAL), unset = real(NAN);  ///< unset stands for "use the formula"
+const real same_point = std::cbrt(std::numeric_limits<real>::epsilon());  ///< distance / radius
 const char* const version = "0.1.0";
 /// std::vector with indices of any type of whole number.
-template <class T> struct vector : std::vector<T> {
-  using std::vector<T>::vector;
+template <class T> struct vector : std::vector<T> { using std::vector<T>::vector;
   vector(const std::vector<T>& v) : std::vector<T>(v) {}
   template <class I> T& operator[](I i) { return this->data()[i]; }
   template <class I> const T& operator[](I i) const { return this->data()[i]; } };
@@ -40,8 +40,7 @@ typedef vector<real> Reals;
 template <class T> INLINE T sqrt(T a) {
   return sizeof a == 4 ? T(sqrtf(float(a))) : sizeof a == 8 ? T(::sqrt(double(a))) : std::sqrt(a); }
 /// Three components; T is the type of one number.
-template <class T> struct Vec {
-  T x{}, y{}, z{};
+template <class T> struct Vec { T x{}, y{}, z{};
   INLINE Vec operator-() const { return {-x, -y, -z}; }
   INLINE Vec operator+(const Vec& b) const { return {x + b.x, y + b.y, z + b.z}; }
   INLINE Vec operator-(const Vec& b) const { return {x - b.x, y - b.y, z - b.z}; }
@@ -56,9 +55,8 @@ typedef Vec<real> Vec3;
 template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
-/// nothing but arithmetic and `condition ? a : b` becomes vector instructions.
-constexpr int block = 32;
-constexpr int padded(int n) { return (n + 7) / 8 * 8; }  // whole vector instructions
+/// nothing but arithmetic and `condition ? a : b` becomes vector instructions (whole ones: padded).
+constexpr int block = 32; constexpr int padded(int n) { return (n + 7) / 8 * 8; }
 template <class S> struct alignas(64) Block {
   static constexpr int size = int(sizeof(S) / sizeof(real)); real c[size][block];
   INLINE S get(int l) const { S s; return copy(l, s), s; }
@@ -104,26 +102,27 @@ template <class S> struct alignas(64) Block {
   X(orientation, string, "on", "-", "on|off", "integrate the quaternions")                         \
   X(contacts, string, "off", "-", "on|off", "write the contacts of every frame")                   \
   X(mesh, string, "", "-", "path", "mesh file (OFF)")                                              \
-  X(motion, string, "", "-", "GROUP vibrate A F [PHASE]; GROUP translate V; GROUP rotate P W",     \
-    "motion of mesh groups, each at most once; A, V, P, W are vectors, PHASE is in radians")       \
+  X(motion, string, "", "-", "GROUP vibrate A F [PHASE]; GROUP translate V; GROUP rotate P W "     \
+    "with GROUP an index into Rmesh", "motion of mesh groups, each at most once; A, V, P, W are "  \
+    "vectors, PHASE is in radians")                                                                \
   X(particles, string, "", "-", "path", "particles to start with (CSV)")                           \
   X(output, string, "output", "-", "path", "output directory")
-struct Parameters {
-#define X(name, type, value, ...) type name = value;
-  TINYDEM_PARAMETERS(X)
-#undef X
-};
+#define TINYDEM_MEMBER(name, type, value, ...) type name = value;
+struct Parameters { TINYDEM_PARAMETERS(TINYDEM_MEMBER) };
 /// What a scene file or the command line says about one parameter, and where.
 struct Setting { string name, text, where; };
 /// Wrong input (exit code 2, nothing written) and a run that cannot go on (1, good frames kept).
 struct InputError : std::runtime_error { using std::runtime_error::runtime_error; };
 struct RunError : std::runtime_error { using std::runtime_error::runtime_error; };
 /// Collects mistakes, so that they are reported together.
-struct Problems {
-  string all{}; int count = 0;
-  void add(const string& where, const string& what) {
-    if (++count <= 20) all += "\n" + where + ": " + what; }
-  void stop_if_any() const { if (count > 0) throw InputError(all.substr(1)); } };
+struct Problems { string all{}; int count = 0;
+  void add(const string& at, string what) {
+    for (char& c : what) if (c >= 0 && c < ' ') c = '?';
+    if (what.size() > 240) what.replace(100, what.size() - 220, " ... ");
+    if (++count <= 20) all += "\n" + at + ": " + what; }
+  void stop_if_any() const {
+    const string more = count > 20 ? "\n" + to_string(count - 20) + " more mistakes" : "";
+    if (count > 0) throw InputError(all.substr(1) + more); } };
 // ------------------------------------------------------------------------------------- files
 /// The shortest digits that bring a number back bit for bit, or a fixed number of digits.
 inline string text(real a, int digits = 0) { char b[64], *end = b + sizeof b;
@@ -139,16 +138,14 @@ inline vector<string> split(const string& s, char separator) {
   vector<string> tokens; std::istringstream in(s + separator);
   for (string a; std::getline(in, a, separator);) {
     a.erase(0, a.find_first_not_of(" \t\r")), a.erase(a.find_last_not_of(" \t\r") + 1);
-    if (!a.empty() || separator != ' ') tokens.push_back(a); }
-  return tokens; }
-/// A text file, value by value; skips comments (#), blank lines, carriage returns and a byte order
-/// mark, and notes every value that is missing, malformed or out of range.
+    if (!a.empty() || separator != ' ') tokens.push_back(a); } return tokens; }
+/// A text file, value by value; skips comments (#), blank lines and a byte order mark.
 struct Reader {
-  string path, line{}; vector<string> tokens{};
+  string path, line{}, hint{}; vector<string> tokens{};
   size_t column = 0, number = 0;  // of the next value, of the line
   Problems problems{}; std::ifstream file;
-  explicit Reader(const string& p) : path(p), file(p) {
-    if (file.peek(), file.bad() || !file.is_open()) throw InputError(p + ": cannot be read"); }
+  explicit Reader(const string& p) : path(p), file(p) { file.peek();
+    if (file.bad() || !file.is_open()) throw InputError(p + ": cannot be read; check the path"); }
   string where() const { return path + ":" + to_string(number); }
   void complain(const string& what) { problems.add(where(), what); }
   bool next(char separator = ' ') {
@@ -162,7 +159,7 @@ struct Reader {
     const string token = column < tokens.size() ? tokens[column] : ""; real a = 0; ++column;
     if (parse(token, a) && a >= low && a <= high && (!whole || a == std::floor(a))) return a;
     const string range = "an integer in [" + text(low) + ", " + text(high) + "]";
-    complain(what + " = '" + token + "' must be " + (whole ? range : "a finite number"));
+    complain(what + " = '" + token + "' must be " + (whole ? range : "a finite number") + hint);
     return whole ? low : 0; }
   void end_line() {
     if (column < tokens.size()) complain("'" + tokens[column] + "' is one value too many"); } };
@@ -170,19 +167,22 @@ struct Reader {
 struct Particle { Vec3 x; real R = 0; Vec3 v; std::array<real, 4> q{1, 0, 0, 0}; Vec3 w; };
 const char* const csv_header = "x,y,z,R,vx,vy,vz,q0,q1,q2,q3,wx,wy,wz";
 /// Reads particles; columns are found by name. Throws InputError with every mistake.
-inline vector<Particle> read_particles(const string& path) {
-  Reader in(path); in.next(',');
+inline vector<Particle> read_particles(const string& path) { Reader in(path); in.next(',');
   const vector<string> names = split(csv_header, ','), header = in.tokens; vector<size_t> at;
+  string wrong; for (const string& name : header)
+    if (!std::count(names.begin(), names.end(), name)) wrong = "'" + name + "' is unknown";
   for (const string& name : names) {
     at.push_back(size_t(std::find(header.begin(), header.end(), name) - header.begin()));
     if (std::count(header.begin(), header.end(), name) != 1)
-      in.complain("column '" + name + "' must stand here once; the header is " + csv_header); }
-  if (header.size() > names.size()) in.complain(string("unknown columns; it is ") + csv_header);
+      wrong = "'" + name + "' must stand here once"; }
+  if (!wrong.empty())
+    in.complain("column " + wrong + "; the header is " + csv_header + ", not '" + in.line + "'");
   in.problems.stop_if_any(); vector<Particle> particles;
-  while (in.next(',')) {
-    Particle a;
-    for (size_t k = 0; k < at.size(); ++k) in.column = at[k], (&a.x.x)[k] = in.value(names[k]);
-    in.column = at.size(), in.end_line();
+  while (in.next(',')) { Particle a; const int before = in.problems.count;
+    for (size_t k = 0; k < at.size(); ++k)  // a line that is too short is one mistake
+      if (in.column = at[k]; in.column < in.tokens.size() || in.problems.count == before)
+        (&a.x.x)[k] = in.value(names[k]);
+    if (in.column = at.size(), in.end_line(); in.problems.count > before) continue;
     if (!(a.R > 0)) in.complain("R = " + text(a.R) + " must be > 0");
     const real q = sqrt(square(a.q[0]) + square(a.q[1]) + square(a.q[2]) + square(a.q[3]));
     if (!(abs(q - 1) < real(1e-3))) in.complain("q0 ... q3 must have norm 1, not " + text(q));
@@ -190,20 +190,19 @@ inline vector<Particle> read_particles(const string& path) {
   return in.problems.stop_if_any(), particles; }
 /// A point, an edge, a triangle or a rectangle (n = 1 ... 4 vertices) of radius Rmesh[group].
 struct Element { int n, vertex[4], group; };
-struct Mesh {
-  vector<Vec3> vertices{}; vector<Element> elements{};
+struct Mesh { vector<Vec3> vertices{}; vector<Element> elements{};
   const Vec3& corner(const Element& e, int k) const { return vertices[e.vertex[k]]; } };
 /// Reads an OFF file; throws InputError with every mistake. radii: the length of Rmesh.
-inline Mesh read_mesh(const string& path, size_t radii) {
-  Reader in(path); Mesh m;
+inline Mesh read_mesh(const string& path, size_t radii) { Reader in(path); Mesh m;
   const auto whole = [&](auto what, real a, real b) { return int(in.value(what, true, a, b)); };
-  if (!in.next() || in.tokens[0] != "OFF") in.complain("must start with OFF; convert others");
+  if (!in.next() || in.tokens[0] != "OFF")
+    in.complain("must start with OFF, not '" + in.line + "'; convert it");
   if (in.tokens.size() > 1) in.column = 1; else in.next();
   const int nv = whole("number of vertices", 0, 2e9), nf = whole("number of faces", 0, 2e9);
   whole("number of edges", 0, 2e9), in.end_line();
-  while (count(m.vertices) < nv && in.next())
+  in.hint = ", one of " + to_string(nv) + " vertices"; while (count(m.vertices) < nv && in.next())
     m.vertices.push_back({in.value("x"), in.value("y"), in.value("z")}), in.end_line();
-  while (count(m.vertices) == nv && count(m.elements) < nf && in.next()) {
+  in.hint = ""; while (count(m.vertices) == nv && count(m.elements) < nf && in.next()) {
     const int& mistakes = in.problems.count, before = mistakes;
     Element e{whole("vertices of a face", 1, 4), {}, 0};
     for (int k = 0; k < e.n && mistakes == before; ++k)
@@ -214,8 +213,7 @@ inline Mesh read_mesh(const string& path, size_t radii) {
     const Vec3 a = m.corner(e, 0), ab = m.corner(e, 1) - a, ad = m.corner(e, 3) - a;
     const real size = norm(ab) + norm(ad), off = norm(m.corner(e, 2) - a - ab - ad);
     if (abs(dot(ab, ad)) > real(1e-6) * size * size || off > real(1e-6) * size)
-      in.complain("four vertices must be the corners of a rectangle, in order; or split the face");
-  }
+      in.complain("four vertices must be the corners of a rectangle in order; or split the face"); }
   if (in.problems.count == 0 && (count(m.elements) < nf || in.next()))
     in.complain("must end after " + to_string(nv) + " vertices, " + to_string(nf) + " faces, has " +
                 to_string(count(m.vertices)) + ", " + to_string(count(m.elements)));
@@ -243,8 +241,7 @@ inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
   const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
   return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a)); }
-struct Box {
-  Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
+struct Box { Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
   void add(const Box& b) {
     low = {min(low.x, b.low.x), min(low.y, b.low.y), min(low.z, b.low.z)};
@@ -254,8 +251,7 @@ struct Box {
            b.low.x <= high.x && b.low.y <= high.y && b.low.z <= high.z; } };
 /// Boxes in boxes, halved across their longest side until `leaf` things are left: a query costs
 /// log(things), however different they are in size. What is near in `order` is near in space.
-struct Tree {
-  static constexpr int leaf = 4; vector<int> order{};
+struct Tree { static constexpr int leaf = 4; vector<int> order{};
   vector<Box> boxes{};  // box k holds boxes 2k and 2k + 1
   /// Without sorting, the things keep their order: right as well, and fast enough for small moves.
   template <class F> void build(int things, const F& box_of, bool sort = true) {
@@ -299,17 +295,14 @@ inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
 /// A particle of the solver: also force, torque, the way that it may go with the list as it is.
 struct Rigid : Body<real> { Quaternion q; };
-struct Grain : Rigid {
-  Vec3 f, t; real room; real reach() const { return R + room; }
+struct Grain : Rigid { Vec3 f, t; real room; real reach() const { return R + room; }
   Box box() const { return Box::around(x, reach()); } };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
-struct Pair { int i, j; bool touching; };
+struct Pair { int i, j; char touching; };  // bit 0: now; bit 1, of a mesh element: a step before
 /// The mesh elements of one index into Rmesh and how they move from where they are in the file:
 /// displacement A (sin(2 pi F t + phase) - sin phase), velocity V or angular velocity W about the
 /// axis through P. They are searched where they were at t = 0: back() brings a place there.
-struct Group {
-  Tree tree{};
-  bool moves = false;
+struct Group { Tree tree{}; bool moves = false;
   Vec3 A{}, V{}, P{}, W{}, shift{}, v{};  // now: rotated by q about P, then shifted at velocity v
   real F = 0, phase = 0, speed = 0, slack = 0;  // largest speed; way that the list allows for
   Quaternion q{}, step{};                       // rotation since t = 0, in one time step
@@ -317,8 +310,7 @@ struct Group {
   Vec3 there(const Vec3& x) const { return P + rotated(q, x - P) + shift; } };
 /// Consecutive particles that one thread looks after. How many slabs there are follows from N
 /// alone and every sum has a fixed order: the same bits for every number of threads.
-struct Slab {
-  int first = 0, last = 0;
+struct Slab { int first = 0, last = 0;
   vector<Pair> pairs{};             // by i; a pair of particles of two slabs stands in both
   vector<Springs<real>> springs{};  // of each pair, if the scene has friction
   long contacts = 0;                // in the last step
@@ -326,14 +318,12 @@ struct Slab {
   int culprit = -1;                 // particle at which the run became unstable
   const char* reason = ""; bool failed = false; };
 /// A contact of particles i and j, or of i and a mesh element; the other one is -1.
-struct Contact {
-  int i, j, element;
+struct Contact { int i, j, element;
   real delta, R, mstar, kn;  // overlap, smaller radius [L], effective mass [M], stiffness [M/T^2]
   Vec3 fn, fs, us, ur;       // forces on i [ML/T^2], springs [L]
   real ut, energy; };        // twisting spring [L], elastic energy [ML^2/T^2]
 /// Energies [ML^2/T^2], largest delta/R, time steps in the shortest collision.
-struct Summary {
-  long contacts = 0;
+struct Summary { long contacts = 0;
   real kinetic = 0, rotational = 0, potential = 0, elastic = 0, overlap = 0, steps = 0;
   real energy() const { return kinetic + rotational + potential + elastic; } };
 /// The solver. Mesh and initial particles may be empty. Throws InputError for particles that
@@ -343,28 +333,24 @@ struct Simulation {
   void run(long count);                ///< time steps; RunError when the run is unstable
   vector<Particle> particles() const;  ///< in the order of creation
   vector<Contact> contacts() const;    ///< with indices in the order of creation
-  template <class F> void each_contact(const F& found) const;
-  Summary summary() const;
+  template <class F> void each_contact(const F& found) const; Summary summary() const;
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
-  int size() const { return count(grains); }
-  real time() const { return real(steps) * p.dt; }
-  Parameters p; Mesh mesh;
-  vector<Grain> grains{};        // sorted: near in space, near in memory
+  int size() const { return count(grains); } real time() const { return real(steps) * p.dt; }
+  Parameters p; Mesh mesh; vector<Grain> grains{};  // sorted: near in space, near in memory
   vector<int> id{};              // place in the order of creation
   vector<Slab> slabs{1}, old{};  // old: before sorting
   vector<int> first_pair{};      // of each particle in old
-  Tree particle_tree{};
-  vector<Group> groups{};        // one for each index into Rmesh
+  Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
-  bool step();  // all threads of a team call these two together, one thread those below
-  void list_neighbours();
+  bool step(); void list_neighbours();  // all threads of a team call these, one thread the others
   void sort_elements(), move_mesh(), sort_particles(), find_pairs(Slab& b), spawn();
-  void add(const Particle& a), carry(const Pair& c, Springs<real>& u) const;
+  bool is_nearest(const Slab& b, int k, const Body<real>& c, int& heir) const;
+  bool touch_mesh(Slab& b, int k, const Body<real>& c, bool touch); void add(const Particle& a);
   void enlist(Slab& b, int i, int j) const; bool is_free(const Vec3& centre, real R) const;
-  Body<real> wall(int element, const Vec3& centre) const; };
+  Body<real> wall(int element, const Vec3& centre, const Vec3& v = {}) const; };
 }  // namespace tinydem

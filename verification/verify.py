@@ -5,7 +5,8 @@
     verify.py 02 oblique             only these (number, id or part of an id)
     verify.py --quick 02_restitution the reduced form that the tests run; no report
     verify.py --mutants [all|fast]   break the solver on purpose: which case notices?
-    verify.py --check                only the tables: complete, tolerances not too loose, mutants apply
+    verify.py --lammps               the comparison with LAMMPS (./dem verify --lammps installs it)
+    verify.py --check                only the tables: complete, tolerances not too loose
     verify.py --update               write what was measured into the tables (never a tolerance)
 
 A case is cases/NN_name.{toml,cpp,py}: what it claims, the program that measures, the figure. The
@@ -34,6 +35,7 @@ CASE_KEYS = {"id": str, "title": str, "shows": str, "equations": list, "features
              "reference": str, "program": str, "figures": list, "text": str, "metric": list}
 METRIC_KEYS = {"name": str, "meaning": str, "tolerance": (int, float), "reason": str,
                "measured": (int, float)}
+SKIPPED = 77  # exit code: not possible here
 KINDS = ("below", "above", "equal")
 
 
@@ -124,6 +126,28 @@ def selected(cases, words):
     return chosen
 
 
+def able(cases, args):
+    """The cases that can run here; --lammps: only those that need LAMMPS, and no excuses. Mutants
+    are of the solver, or with --lammps of the tools."""
+    needy = [c for c in cases if c.get("needs")]
+    absent = sorted({c["needs"] for c in needy if not shutil.which(c["needs"])})
+    if args.lammps:
+        if absent or not needy:
+            sys.exit(f"{', '.join(absent)} is not on the PATH; ./dem verify --lammps installs it")
+        return needy
+    if args.mutants and len(needy) < len(cases):
+        return [c for c in cases if not c.get("needs")]
+    if args.quick:
+        absent = [c["needs"] for c in needy]  # no quick form: it would take minutes
+    for c in needy:
+        if c["needs"] in absent:
+            print(f"skip {c['id']:<24} needs {c['needs']} and minutes: ./dem verify --lammps")
+    cases = [c for c in cases if c.get("needs") not in absent]
+    if not cases:
+        sys.exit(SKIPPED)
+    return cases
+
+
 # ------------------------------------------------------------------------------------- run
 
 def environment(library=None, threads=1):
@@ -149,14 +173,28 @@ def run_program(program, out, quick, env, timeout):
     return f"exit code {done.returncode}: {done.stderr.strip()[-300:]}" if done.returncode else ""
 
 
-def run_case(case, build, out, quick, env, timeout=300):
-    """Measures a case: {metrics, seconds, error}."""
+def script_of(case):
+    """cases/NN_name.py as a module."""
+    spec = importlib.util.spec_from_file_location(case["program"],
+                                                  HERE / "cases" / f"{case['program']}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def run_case(case, build, out, quick, env, timeout=300, tools=SOLVER):
+    """Measures a case: {metrics, seconds, error}. tools: where the Python tools are."""
     start = time.monotonic()
     error = run_program(build / case["program"], out, quick, env, timeout)
     if case.get("precisions") and not error and not quick:  # only the figure needs these
         for real in ("float", "long_double"):
             program = build / f"{case['program']}_{real}"
             error = error or run_program(program, out / real, quick, env, timeout)
+    if case.get("needs") and not error:  # other programs: the script measures with them
+        try:
+            script_of(case).measure(out, build, tools, quick)
+        except (RuntimeError, OSError, subprocess.TimeoutExpired, SystemExit) as failure:
+            error = str(failure)
     metrics = {}
     path = out / "metrics.csv"
     if not error and not path.exists():
@@ -198,11 +236,7 @@ def in_parallel(jobs, work):
 
 def draw(case, data):
     """Runs cases/NN_name.py; returns the figures (SVG) that the table names."""
-    spec = importlib.util.spec_from_file_location(case["program"],
-                                                  HERE / "cases" / f"{case['program']}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    module.draw(data, REPORT)
+    script_of(case).draw(data, REPORT)
     missing = [f for f in case["figures"] if not (REPORT / f"{Path(f).stem}.svg").exists()]
     if missing:
         raise RuntimeError(f"{case['id']}: the script did not draw {missing}")
@@ -268,13 +302,28 @@ def build_mutant(mutant, build):
     return folder
 
 
+def build_tool(mutant, build):
+    """The Python tools with one text replaced; returns their folder."""
+    folder = build / "mutants" / mutant["id"]
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for path in SOLVER.glob("*.py"):
+        text = path.read_text()
+        (folder / path.name).write_text(text.replace(mutant["old"], mutant["new"])
+                                        if path.name == mutant.get("file") else text)
+    return folder
+
+
 def try_mutant(mutant, cases, build):
     """Which cases fail with this mutant, and by which metric: {case: reason or empty}."""
-    folder = build_mutant(mutant, build)
+    tools = mutant.get("file", "").endswith(".py") or any(c.get("needs") for c in cases)
+    folder = build_tool(mutant, build) if tools else build_mutant(mutant, build)
     kills = {}
     for case in cases:
-        result = run_case(case, build, folder / case["id"], True, environment(folder), 90)
-        bad = [n for n, state in verdicts(case, result, False).items() if state != "pass"]
+        result = run_case(case, build, folder / case["id"], True,
+                          environment(None if tools else folder), 90, folder if tools else SOLVER)
+        bad = [n for n, state in verdicts(case, result, False).items() if state != "pass"
+               and not (tools and n not in result["metrics"])]  # its quick form has not all
         kills[case["id"]] = result["error"] or ", ".join(bad)
     print(f"{mutant['id']:<28} " + (" ".join(c[:2] for c in kills if kills[c]) or "-"), flush=True)
     return {"id": mutant["id"], "what": mutant.get("what", ""), "kills": kills,
@@ -284,7 +333,9 @@ def try_mutant(mutant, cases, build):
 def run_mutants(cases, build, fast):
     """The kill matrix; True when the control is clean, every mutant dies as expected, and (all
     mutants, all cases) every case kills one."""
-    mutants = load_mutants()
+    other = [c for c in cases if c.get("needs")]  # they check the tools: mutants of those
+    cases = other or cases
+    mutants = [m for m in load_mutants() if m["file"].endswith(".py") == bool(other)]
     if fast:
         mutants = [m for m in mutants if m.get("fast")]
         wanted = {m["killed_by"][0] for m in mutants}
@@ -302,7 +353,10 @@ def run_mutants(cases, build, fast):
         idle = [c["id"] for c in cases if not any(r["kills"][c["id"]] for r in rows[1:])]
         problems += [f"case {c} kills no mutant" for c in idle]
         REPORT.mkdir(exist_ok=True)
-        (REPORT / "kills.json").write_text(json.dumps(rows[1:], indent=1))
+        path, mine = REPORT / "kills.json", {row["id"] for row in rows}
+        kept = [k for k in json.loads(path.read_text()) if k["id"] not in mine] \
+            if path.exists() and other else []
+        path.write_text(json.dumps(kept + rows[1:], indent=1))
     print("\n".join(problems) or f"{len(rows) - 1} mutants, all killed")
     return not problems
 
@@ -349,6 +403,8 @@ def main():
     parser.add_argument("cases", nargs="*", metavar="CASE", help="number, id or part of an id")
     parser.add_argument("--quick", action="store_true", help="reduced form, no report")
     parser.add_argument("--mutants", nargs="?", const="all", choices=("all", "fast"))
+    parser.add_argument("--lammps", action="store_true",
+                        help="the cases that need LAMMPS (mutants: of the hand-off)")
     parser.add_argument("--check", action="store_true", help="only check the tables")
     parser.add_argument("--update", action="store_true", help="write measured values to the tables")
     parser.add_argument("--build", type=Path, default=HERE.parent / "build/default/verification",
@@ -359,7 +415,7 @@ def main():
     if args.check:
         good = [check_tables(every), check_mutants(every)]
         sys.exit(not all(good))
-    start, cases = time.monotonic(), selected(every, args.cases)
+    start, cases = time.monotonic(), able(selected(every, args.cases), args)
     REPORT.mkdir(exist_ok=True)
     good = run_mutants(cases, args.build, args.mutants == "fast") if args.mutants else \
         run_cases(cases, args)

@@ -10,7 +10,7 @@ import xml.etree.ElementTree as xml
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import course, solver
+from . import course, labs, solver
 
 DEM = """#!/bin/sh
 # The exercises. ./dem grade 01 builds and grades your answer, ./dem progress shows where you are.
@@ -26,7 +26,12 @@ exec "$python" "$here/exercises/grade.py" "$@"
 # What a student gets of an exercise; everything else stays with the teacher.
 HANDED_OUT = ["README.md", "exercise.hpp", "checks.cpp", "checks.py", "solvers.py", "starter.cpp",
               "*.png", "*.svg"]
-GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sandbox.cpp"]
+GRADER = ["__init__.py", "course.py", "program.py", "solver.py", "vec.py", "sandbox.cpp", "labs.py",
+          "lab_runs.py"]
+# Of a lab sheet, and what its runs need: the program, its scenes, and a front door that builds it.
+LAB_HANDED_OUT = ["README.md", "lab.py", "starter.ini", "*.png"]
+PROGRAM = ["CMakeLists.txt", "CMakePresets.json"]
+FOR_TEACHERS = "test|verify|bench|docs|handout|gradebook"  # verbs of ./dem
 
 
 # ------------------------------------------------------------------------------------- hand-out
@@ -43,15 +48,36 @@ def expected_values(exercise, build, compiler):
     return dict(sorted(exercise.recorded.items()))
 
 
-def student_readme(text, exercises):
-    """The README of all exercises without the part for teachers and without absent exercises."""
-    slugs = [e.slug for e in exercises]
+def student_readme(text, exercises, at="exercises/"):
+    """A README without the part for teachers and without absent exercises; links lead to `at`."""
+    folders = [e.folder.name for e in exercises]
     lines = []
     for line in text.split("**For teachers.**")[0].rstrip().splitlines():
-        link = re.search(r"\]\((\d\d-[^/]+)/", line)
-        if not link or link.group(1) in slugs:
-            lines.append(re.sub(r"\]\((\d\d-)", r"](exercises/\1", line))
+        link = re.search(r"\]\((?:labs/)?([^/)]+)/README.md\)", line)
+        if not link or link.group(1) in folders or link.group(1) == "labs":
+            lines.append(re.sub(r"\]\((\d\d-|labs/)", rf"]({at}\1", line))
     return "\n".join(lines) + "\n"
+
+
+def student_front_door(text):
+    """./dem without the verbs for teachers."""
+    verb = rf"^#: (?:{FOR_TEACHERS})\b.*\n(?:#: .*\n)*do_\w+\(\) \{{(?:.*\}}|\n(?:.*\n)*?\}})\n+"
+    text = re.sub(r"^#   \./dem test .*\n", "", text, flags=re.MULTILINE)
+    return re.sub(verb, "", text, flags=re.MULTILINE)
+
+
+def handout_labs(top, directory, sheets):
+    """Lab sheets without the instructor's runs, and the program that they need."""
+    inside = directory / "exercises" / "labs"
+    for lab in sheets:
+        copy(LAB_HANDED_OUT, lab.folder, inside / lab.folder.name)
+        shutil.copy(lab.folder / "starter.ini", inside / lab.folder.name / lab.answer_name)
+    readme = student_readme((top / "labs" / "README.md").read_text(), sheets, "")
+    (inside / "README.md").write_text(readme)
+    copy(PROGRAM, top.parent, directory)
+    shutil.copytree(top.parent / "tinydem", directory / "tinydem", dirs_exist_ok=True,
+                    ignore=shutil.ignore_patterns("__pycache__"))
+    return student_front_door((top.parent / "dem").read_text())
 
 
 def copy(names, source, target):
@@ -69,9 +95,10 @@ def handout(top, directory, exercises, build, compiler):
     copy(["grade.py", ".gitignore"], top, inside)
     copy(GRADER, top / "grader", inside / "grader")
     copy(["*.hpp", "*.cpp"], top / "include", inside / "include")
-    if any(e.kind != "functions" for e in exercises):
+    sheets = [e for e in exercises if isinstance(e, labs.Lab)]
+    if any(e.kind not in ("functions", "lab") for e in exercises):
         copy(solver.FILES, top.parent / "tinydem", directory / "tinydem")
-    for exercise in exercises:
+    for exercise in (e for e in exercises if e not in sheets):
         folder = inside / exercise.slug
         copy(HANDED_OUT, exercise.folder, folder)
         if exercise.kind == "solver":
@@ -83,7 +110,7 @@ def handout(top, directory, exercises, build, compiler):
     copy(["LICENSE"], top.parent, directory)
     readme = student_readme((top / "README.md").read_text(), exercises)
     (directory / "README.md").write_text(readme)
-    (directory / "dem").write_text(DEM)
+    (directory / "dem").write_text(handout_labs(top, directory, sheets) if sheets else DEM)
     (directory / "dem").chmod(0o755)
     print(f"dem: {len(exercises)} exercises for students are in {directory}")
     return 0
@@ -104,8 +131,7 @@ def find_answer(student, exercise):
             if any(map(own, here)) and all(own(f) or not f.exists() for f in here):
                 return student / name
         return None
-    for name in (f"{number}.cpp", f"{slug}.cpp", f"{number}/answer.cpp", f"{slug}/answer.cpp",
-                 f"exercises/{slug}/answer.cpp"):
+    for name in exercise.submissions:
         path = student / name
         if own(path):
             return path
@@ -115,7 +141,7 @@ def find_answer(student, exercise):
 def grade_one(folder, answer, build, compiler, seeds, threads):
     """A sheet as a dictionary, with the seconds that it took; in a process of its own."""
     start = time.monotonic()
-    exercise = course.Exercise(folder)
+    exercise = labs.Lab(folder) if (folder / "lab.py").exists() else course.Exercise(folder)
     sheet = course.grade(exercise, answer, build, compiler, seeds, threads=threads, jobs=1)
     return {**sheet.as_dict(), "seconds": round(time.monotonic() - start, 2)}
 
@@ -166,9 +192,11 @@ def results(sheets):
     """What Gradescope reads: the points and the feedback of every check of one student."""
     tests = []
     for sheet in sheets:
+        slug = sheet["exercise"]
+        number = slug.split("-")[0] if slug[0].isdigit() else slug
         for k, c in enumerate(sheet["checks"]):
             tests.append({
-                "name": f"{sheet['title']}: {c['name']}", "number": f"{sheet['exercise'][:2]}.{k}",
+                "name": f"{sheet['title']}: {c['name']}", "number": f"{number}.{k}",
                 "score": c["points"], "max_score": c["maximum"], "visibility": "visible",
                 "status": "passed" if c["points"] == c["maximum"] else "failed",
                 "output": "\n".join(c["feedback"]) or "full points"})

@@ -349,6 +349,12 @@ class Exercise:
         except ValueError as problem:
             raise BadExercise(f"{self.folder}: {problem}") from None
 
+    @property
+    def submissions(self):
+        """Where a student's answer may be, in the student's directory."""
+        return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
+                f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
+
     def answer(self):
         """The file (or folder) that the student edits; made from the starter at first."""
         if self.kind == "solver":
@@ -398,7 +404,7 @@ class Sheet:
         return {"exercise": self.exercise.slug, "title": self.exercise.title, "seeds": self.seeds,
                 "points": self.points, "maximum": sum(CATEGORIES.values()), "compiler": self.said,
                 "checks": [{"name": x.name, "category": x.category, "points": x.points,
-                            "maximum": x.maximum, "feedback": feedback(x, self)}
+                            "maximum": x.maximum, "feedback": feedback(x, self, True)}
                            for x in self.lines]}
 
 
@@ -427,6 +433,8 @@ def grade(exercise, answer, build, compiler, seeds=(1,), only=None, threads=1, j
     names of the checks to run, default all; threads: that the answer may use; jobs: checks at a
     time.
     """
+    if hasattr(exercise, "sheet"):  # a lab sheet: numbers, no program
+        return exercise.grade(answer, seeds, only)
     chosen = [c for c in exercise.checks if not only or c.name in only]
     limits = {**exercise.limits, "threads": threads}
     with Workshop(compiler, build) as shop:
@@ -454,14 +462,16 @@ def printable(text):
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
-def feedback(line, sheet):
-    """Why points are missing and what to do: a list of texts; empty at full points."""
+def feedback(line, sheet, equations=False):
+    """Why points are missing and what to do: a list of texts; empty at full points. equations: with
+    those of the check, for who does not see them beside its name."""
     if line.full or line.problem == "not run":
         return []
     if not line.check:
         return [printable(x) for x in ["the answer does not compile:",
                                        *sheet.said.splitlines()[:12]]]
-    one, out, texts = line.check, line.outcome, [line.check.title]
+    one, out = line.check, line.outcome
+    texts = [f"{one.title}; {one.eq}" if equations and one.eq else one.title]
     if out:
         unit = f" {one.unit}" if one.unit else ""
         band = f"; error {out.error:.2g}, allowed {one.tol:.2g}" if one.tol else ""
@@ -473,7 +483,7 @@ def feedback(line, sheet):
         texts.append(line.problem)
     if line.printed:
         texts.append(f"it printed: {line.printed.splitlines()[0][:70]}")
-    public = line.seed in PUBLIC_SEEDS
+    seed = f" --seed {line.seed}" if line.seed in PUBLIC_SEEDS else "   (with hidden inputs)"
     texts.append(f"again: ./dem grade {sheet.exercise.number} --check {line.name}"
-                 + (f" --seed {line.seed}" if public else "   (this was with hidden inputs)"))
+                 + ("" if hasattr(sheet.exercise, "sheet") else seed))
     return [printable(x) for x in texts]

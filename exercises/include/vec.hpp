@@ -2,6 +2,8 @@
 #pragma once
 #include <cmath>
 
+using std::abs;  // the abs of C would cut 0.7 down to the integer 0
+
 struct Vec3 {
   double x = 0, y = 0, z = 0;
 };

@@ -153,6 +153,7 @@ template <class T, size_t... k> static double all_modes(std::index_sequence<k...
   return worst.error;
 }
 
+// Eqs. (5-40, 52-55, 58-60)
 TEST_CASE("exact: contact law of particles and walls with all modes and both schemes") {
   int counts[3][2] = {};
   const auto modes = std::make_index_sequence<16>();
@@ -162,6 +163,7 @@ TEST_CASE("exact: contact law of particles and walls with all modes and both sch
   for (const auto& mode : counts) CHECK(min(mode[0], mode[1]) > 1000);
 }
 
+// Eq. (21)
 TEST_CASE("exact: damping factor at the ends of its range") {
   CHECK(material_of<double>(scene("en = 1")).beta == 0);
   CHECK(material_of<double>(scene("en = 0")).beta == 1);
@@ -216,6 +218,7 @@ template <class M> static long bits_that_differ(const string& settings) {
   CHECK(compared > 400);  // 432 without friction: forces and torques of 216 particles
   return different;
 }
+// Eqs. (1, 2, 56, 57)
 TEST_CASE("exact: the hot loop gives the bits of the law, contact by contact") {
   CHECK(bits_that_differ<Modes<1, 1, 1>>("mus = 0.5; mur = 0.1") == 0);
   CHECK(bits_that_differ<Modes<1, 0, 1>>("mus = 0.5; mur = 0") == 0);
@@ -226,7 +229,7 @@ TEST_CASE("exact: the hot loop gives the bits of the law, contact by contact") {
 
 #ifdef TINYDEM_FOR
 TEST_CASE("exact: the same bits on every instruction set") {
-  constexpr Phase *law = forces<Modes<1, 1, 1>>, *move = motion<1, 0>;
+  constexpr Phase *law = forces<Modes<1, 1, 1>>, *move = motion<true>;
   const auto run = [](Phase* forces, Phase* motion) {
     Simulation s(scene("mus = 0.5; mur = 0.1; g = 0,0,-9.81"), one_element({{real(0.011), 0, 0}}), swarm(6));
     s.force_phase = forces, s.motion_phase = motion;

@@ -26,7 +26,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
-from lammps import Lammps  # noqa: E402  (after the path is set)
+from lammps_runs import Lammps  # noqa: E402  (after the path is set)
 from machinery import Bench, read_state  # noqa: E402
 import report  # noqa: E402
 

@@ -13,11 +13,12 @@
 //   V/(mu_s g), for mu_r = 0 it stays at V/q.
 // Turntable W, mu_r = mu_t = 0: the force is m dv/dt, the torque changes r n x w by (q - 1) dv, and
 //   no slip means v + r n x w = i W z; so dv/dt = i Omega v, Omega = W/q: a circle of radius
-//   |v|/Omega about z + i v/Omega. Semi-implicit Euler: v' = v/(1 - i Omega dt), a spiral inwards
-//   that loses Omega^2 dt/2 per second. The contact itself is linear: the reference is an ODE.
+//   |v|/Omega about z + i v/Omega. The contact itself is linear: the reference is an ODE.
 // Sphere at rest on the table: F = m rho W^2 stretches the springs by F/k_s and F r/(R k_n), and
-//   it stays while rho W^2 <= g min(mu_s, mu_r R/r). The solver compares v, which belongs to the
-//   middle of a step, with i W z at its end: z' = z/(1 - i W dt), an inward creep of W^2 dt/2.
+//   it stays while rho W^2 <= g min(mu_s, mu_r R/r). No slip in a step from z to z' means
+//   (z' - z)/dt = i W (z + z')/2, so that a step turns it by 2 arctan(W dt/2): it lags behind.
+// Velocities of the solver belong to the middle of the last step: a particle that is at z at t = 0
+//   starts with the velocity that it has half a step before.
 #include <complex>
 
 #include "support.hpp"
@@ -294,7 +295,7 @@ static Complex velocity(const Simulation& s) {
   const Vec3 v = s.particles()[0].v;
   return {double(v.x), double(v.y)};
 }
-const Complex z0(0.1, 0.02), v0(0.03, 0.1);  // m, m/s
+const Complex z0(0.1, 0.02), v0(0.03, 0.1);  // at t = 0; m, m/s
 const int samples = 60;                      // of one turn of the sphere
 
 /// The turn of a sphere that starts without slip: where it is, from the axis.
@@ -302,6 +303,7 @@ struct Turn {
   Resting c;
   double W, Omega, period;
   long steps_each;
+  Complex half{};  // by which the velocity turns in half a step
   Turn(double w, const std::string& scheme, double divisor)
       : c(turning(w) + "mus = 0.5; mur = 0; mut = 0; scheme = " + scheme),
         W(w),
@@ -309,18 +311,20 @@ struct Turn {
         period(2 * pi / std::abs(Omega)),
         steps_each(std::lround(period / samples / double(c.p.dt) * divisor)) {
     c.p.dt = real(period / samples / double(steps_each));
+    half = std::exp(I * Omega * double(c.p.dt) / 2.0);
   }
 };
 struct Path {
   std::vector<Complex> z{}, v{};
 };
 static Path solver_path(const Turn& t, Complex start_v = v0) {
-  const Complex s = I * t.W * z0 - start_v;  // r n x w: no slip
-  Simulation sim = on_table(t.c, z0, start_v, {real(s.imag() / t.c.r), real(-s.real() / t.c.r), 0});
-  Path path{{place(sim)}, {velocity(sim)}};
+  const Complex v = start_v / t.half, z = z0 - double(t.c.p.dt) / 2 * v;  // half a step before
+  const Complex s = I * t.W * z - v;                                      // r n x w: no slip
+  Simulation sim = on_table(t.c, z0, v, {real(s.imag() / t.c.r), real(-s.real() / t.c.r), 0});
+  Path path{{place(sim)}, {start_v}};
   for (int k = 0; k < samples; ++k) {
     sim.run(t.steps_each);
-    path.z.push_back(place(sim)), path.v.push_back(velocity(sim));
+    path.z.push_back(place(sim)), path.v.push_back(velocity(sim) * t.half);
   }
   return path;
 }
@@ -365,7 +369,7 @@ static void fit_circle(const Path& p, Complex& centre, Complex& factor) {
 }
 static void circles(const Arguments& run, Metrics& metrics) {
   Csv csv(run.out / "circles.csv", "W_per_s,x_m,y_m,exact_x_m,exact_y_m");
-  double rate = 0, centre_off = 0, radius = 0, spiral = 0, still = 0;
+  double rate = 0, centre_off = 0, radius = 0, loss = 0, still = 0;
   for (const double W : {5.0, -5.0}) {
     const Turn t(W, "consistent", 1);
     const Path a = solver_path(t);
@@ -373,11 +377,11 @@ static void circles(const Arguments& run, Metrics& metrics) {
     fit_circle(a, centre, factor);
     double angle = 0;  // through which the velocity has turned
     for (size_t k = 1; k < a.v.size(); ++k) angle += std::arg(a.v[k] / a.v[k - 1]);
-    const double R0 = std::abs(v0 / t.Omega), loss = std::log(std::abs(a.v.front() / a.v.back()));
+    const double R0 = std::abs(v0 / t.Omega);
     rate = largest(rate, angle / (t.Omega * t.period) - 1);
     centre_off = std::max(centre_off, std::abs(centre - (z0 + I * v0 / t.Omega)) / R0);
     radius = std::max(radius, std::abs(factor * I * t.Omega - 1.0));
-    spiral = largest(spiral, loss / (t.Omega * t.Omega * double(t.c.p.dt) / 2 * t.period) - 1);
+    loss = largest(loss, std::log(std::abs(a.v.front() / a.v.back())));
     for (const Complex z : solver_path(t, 0).z) still = std::max(still, std::abs(z - z0) / R);
     for (size_t k = 0; k < a.z.size(); ++k) {
       const Complex e =
@@ -387,7 +391,7 @@ static void circles(const Arguments& run, Metrics& metrics) {
     }
   }
   metrics("table_rate", rate), metrics("table_centre", centre_off);
-  metrics("table_radius", radius), metrics("table_spiral", spiral);
+  metrics("table_radius", radius), metrics("table_loss", loss);
   metrics("table_rest", still);
 }
 /// Error of the turntable over the time step.
@@ -426,57 +430,59 @@ static void spin_up(Metrics& metrics) {
 
 // --------------------------------------------------------------------------- at rest on the table
 
-/// Radius over time seen from the axis, angle by which the sphere lags, spin over W at the end.
+/// Radius and angle by which the sphere lags over time, spin over W at the end.
 struct Carried {
-  std::vector<double> t{}, rho{};
-  double lag = 0, spin = 0, away = 0;
+  std::vector<double> t{}, rho{}, lag{};
+  double spin = 0, away = 0;
 };
 const double rho0 = 0.1, W_rest = 5;  // m, 1/s
+/// The velocity, half a step before t = 0, of what turns with the table and is at rho then.
+static Complex circling(const Resting& c, double W, double rho) {
+  return I * W * rho * std::exp(-I * W * double(c.p.dt) / 2.0);
+}
 static Resting carried_contact(double divisor) {
   return Resting(turning(W_rest) + "mus = 0.5; mur = 0.5; mut = 0.5", divisor);
 }
 static Carried carried(double divisor, double turns) {
   const Resting c = carried_contact(divisor);
-  Simulation s = on_table(c, rho0, I * W_rest * rho0, {0, 0, real(W_rest)});
-  Carried a{{0}, {rho0}};
+  Simulation s = on_table(c, rho0, circling(c, W_rest, rho0), {0, 0, real(W_rest)});
+  Carried a{{0}, {rho0}, {0}};
   const long each = std::lround(2 * pi / W_rest / 40 / double(c.p.dt));
   for (int k = 0; k < 40 * turns; ++k) {
     s.run(each);
     const Complex z = place(s) * std::exp(-I * W_rest * double(s.time()));
     a.t.push_back(double(s.time())), a.rho.push_back(std::abs(z));
-    a.lag = std::arg(z), a.away = std::max(a.away, std::abs(z - rho0) / rho0);
+    a.lag.push_back(-std::arg(z)), a.away = std::max(a.away, std::abs(z - rho0) / rho0);
   }
   a.spin = double(s.particles()[0].w.z) / W_rest;
   return a;
 }
 static void at_rest(const Arguments& run, Metrics& metrics) {
-  Csv csv(run.out / "carried.csv", "divisor,turns,radius,closed");
+  Csv csv(run.out / "carried.csv", "divisor,turns,lag,closed");
   const Resting c = carried_contact(1);
   const double soft = c.m * W_rest * W_rest * (1 / c.ks + c.r / (R * c.kn));  // stretch over rho
-  std::vector<double> steps, errors;  // the order is that of the first halving
-  for (double divisor = 1; divisor <= (run.quick ? 2 : 4); divisor *= 2) {
+  std::vector<double> steps, lags;
+  double lag = 0;
+  for (const double divisor : {0.25, 0.5, 1.0, 2.0}) {
+    if (run.quick && divisor != 0.5 && divisor != 1) continue;
     const Carried a = carried(divisor, 10);
-    const double creep = W_rest * W_rest * double(c.p.dt) / divisor / 2;
-    if (divisor <= 2) steps.push_back(1 / divisor), errors.push_back(a.away);
+    const double h = double(c.p.dt) / divisor, slow = W_rest - 2 / h * std::atan(W_rest * h / 2);
     for (size_t k = 0; k < a.t.size(); k += 10)
-      csv.row(divisor, a.t[k] * W_rest / (2 * pi), a.rho[k] / rho0, std::exp(-creep * a.t[k]));
-    if (divisor > 1) continue;
-    std::vector<double> t(a.t.begin() + 4, a.t.end()), log_rho;
-    for (size_t k = 4; k < a.t.size(); ++k) log_rho.push_back(std::log(a.rho[k]));
-    metrics("carried_creep", std::abs(-slope(t, log_rho) * (1 - soft) / creep - 1));
-    metrics("carried_lag", std::abs(a.lag)), metrics("carried_spin", std::abs(a.spin - 1));
+      csv.row(divisor, a.t[k] * W_rest / (2 * pi), a.lag[k], slow * a.t[k]);
+    if (divisor <= 1) lag = largest(lag, a.lag.back() / (slow * a.t.back()) - 1);
+    if (divisor == 0.5 || divisor == 1)
+      steps.push_back(1 / divisor), lags.push_back(a.lag.back());
+    if (divisor != 1) continue;
+    metrics("carried_stretch", std::abs((a.rho.back() / rho0 - 1) / (soft / (1 - soft)) - 1));
+    metrics("carried_ten_turns", a.away), metrics("carried_spin", std::abs(a.spin - 1));
   }
-  metrics("carried_ten_turns", errors[0]), metrics("carried_order", order(steps, errors));
-  const double fine = 64, creep = W_rest * W_rest * double(c.p.dt) / fine / 2;
-  const Carried a = carried(fine, 0.1);
-  const double stretch = a.rho.back() * std::exp(creep * a.t.back()) / rho0 - 1;
-  metrics("carried_stretch", std::abs(stretch / (soft / (1 - soft)) - 1));
+  metrics("carried_lag", lag), metrics("carried_order", order(steps, lags));
 }
 /// Is a sphere at the radius rho left behind? Its weight shrinks slowly from three times its own,
 /// so that no oscillation reaches the limit before the static load does.
 static bool leaves(const std::string& friction, double W, double rho) {
   const Resting c(turning(W) + friction, 8, 3);
-  Simulation s = on_table(c, rho, I * W * rho, {0, 0, real(W)});
+  Simulation s = on_table(c, rho, circling(c, W, rho), {0, 0, real(W)});
   const long n = std::lround(0.3 / 200 / double(c.p.dt));
   for (double k = 1; k <= 200; ++k) {
     const double share = k / 200, eased = share * share * (3 - 2 * share);

@@ -78,12 +78,15 @@ def draw_circles(ax, rows):
 def draw_carried(ax, rows):
     for k, divisor in enumerate(np.unique(rows["divisor"])):
         one = style.where(rows, divisor=divisor)
-        ax.plot(one["turns"], one["closed"], **style.LINE["reference"])
-        name = r"$\Delta t_0$" + (f"/{divisor:g}" if divisor > 1 else "")
-        ax.plot(one["turns"], one["radius"], markevery=4, label=name, **points(k))
-    style.label(ax, "turns", r"distance from the axis $\rho/\rho_0$",
-                "at rest on the table; lines: predicted creep")
-    ax.legend(loc="lower left")
+        one = {name: values[1:] for name, values in one.items()}  # from the first quarter turn on
+        ax.semilogy(one["turns"], one["closed"], **style.LINE["reference"])
+        step = f"/{divisor:g}" if divisor > 1 else ""
+        name = (f"{1 / divisor:g} " if divisor < 1 else "") + rf"$\Delta t_0${step}"
+        ax.semilogy(one["turns"], one["lag"], markevery=4, label=name, **points(k))
+    ax.set_ylim(3e-8, 1e-3)
+    style.label(ax, "turns", "angle behind the table (rad)",
+                "at rest on the table; lines: closed form")
+    ax.legend(loc="lower right", ncol=2)
 
 
 def draw_work(ax, work, steps):
@@ -93,7 +96,8 @@ def draw_work(ax, work, steps):
                   label=f"turntable, {method}")
     ax.loglog(steps["force_evaluations"], steps["error"], **style.cycle(2),
               label="vibrating plate")
-    style.ideal(ax, 1, 2.5e4, 2e-4)
-    ax.set_ylim(1e-5, 0.3)
+    style.ideal(ax, 1, 2.5e4, 6e-6)
+    style.ideal(ax, 2, 2.5e4, 2e-8)
+    ax.set_ylim(2e-11, 0.3)
     style.label(ax, "force evaluations", "largest error", "work and precision")
     ax.legend(loc="upper right")

@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 import style
-from lammps import write_data
+from lammps_runs import write_data
 from machinery import MATERIAL, read_state, spread
 
 TITLE = "Dense packings, and LAMMPS on the same particles"

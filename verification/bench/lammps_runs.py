@@ -1,72 +1,29 @@
-"""The same packing in LAMMPS: coefficients, data file, one timed run.
-
-LAMMPS is an engine for clusters with the same family of contact law. Normal and sliding forces are
-the same formulas; rolling and twisting springs have constant coefficients there, taken here at an
-overlap of 2 % of the radius, the mean of a settled bed.
-"""
-import math
+"""The same packing in LAMMPS: data file, one timed run. Coefficients: tinydem/lammps.py."""
 import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
+import numpy as np
+
 HERE = Path(__file__).resolve().parent
-#: Polynomial of Tsuji's damping in LAMMPS: damping ratio over coefficient of restitution.
-TSUJI = (1.2728, -4.2783, 11.087, -22.348, 27.467, -18.022, 4.8218)
-INDENTATION = 0.02  # overlap / radius at which rolling and twisting springs are evaluated
-
-
-def restitution_for(en):
-    """The value that gives LAMMPS the damping of a restitution `en`: TSUJI(x) = sqrt(5) beta."""
-    wanted = math.sqrt(5) / math.sqrt(1 + (math.pi / math.log(en)) ** 2)
-    low, high = 0.0, 1.0  # the polynomial falls from 1.27 at 0 to 0 at 1
-    for _ in range(60):
-        middle = (low + high) / 2
-        if sum(c * middle ** k for k, c in enumerate(TSUJI)) > wanted:
-            low = middle
-        else:
-            high = middle
-    return low
-
-
-def coefficients(p, R, wall):
-    """The words after pair_coeff (or of a wall) for parameters p and a radius R [m]."""
-    E, nu, en = p["E"], p["nu"], p["en"]
-    beta = 1 / math.sqrt(1 + (math.pi / math.log(en)) ** 2)
-    stiff, Rstar = (2, R) if wall else (1, R / 2)
-    mstar = 4 / 3 * math.pi * R ** 3 * p["rho"] / (1 if wall else 2)
-    a = math.sqrt(Rstar * INDENTATION * R)
-    kn = 4 / 3 * stiff * E / (2 * (1 - nu ** 2)) * a
-    ks = 8 * stiff * E / (4 * (2 - nu) * (1 + nu)) * a
-    cn = beta * math.sqrt(5 * mstar * kn)
-    xg = math.sqrt((1 - nu) / (10 * (2 - nu)))
-    cor = restitution_for(en)
-    if wall:
-        normal = f"hertz {4 / 3 * E / (1 - nu ** 2):.9g} {cor:.9g}"
-        shear = f"mindlin {4 * E / ((2 - nu) * (1 + nu)):.9g} {xg:.9g} {p['mus']}"
-    else:
-        normal = f"hertz/material {E:.9g} {cor:.9g} {nu}"
-        shear = f"mindlin NULL {xg:.9g} {p['mus']}"
-    return f"{normal} tangential {shear} rolling sds {kn:.6g} {cn:.6g} {p['mur']} " \
-           f"twisting sds {ks * Rstar ** 2:.6g} {xg * cn * Rstar ** 2:.6g} " \
-           f"{p['mut'] * Rstar:.6g} damping tsuji"
-
+sys.path.insert(0, str(HERE.parents[1] / "tinydem"))
+import lammps  # noqa: E402  (after the path is set)
+from frames import HEADER, columns  # noqa: E402
 
 def write_data(state, path, rho):
     """The data file for a state (see machinery.read_state)."""
-    L, H, rows = state["L"], state["H"], state["particles"]
-    with open(path, "w") as f:
-        f.write(f"a packing of the bench\n\n{len(rows)} atoms\n1 atom types\n"
-                f"0 {L:.17g} xlo xhi\n0 {L:.17g} ylo yhi\n{-0.01 * L:.17g} {H:.17g} zlo zhi\n\n"
-                "Atoms\n\n")
-        for k, r in enumerate(rows):
-            f.write(f"{k + 1} 1 {2 * r[3]:.17g} {rho:.17g} {r[0]:.17g} {r[1]:.17g} {r[2]:.17g}\n")
-        f.write("\nVelocities\n\n")
-        for k, r in enumerate(rows):
-            f.write(f"{k + 1} " + " ".join(f"{v:.17g}" for v in (*r[4:7], *r[11:14])) + "\n")
+    L, H, rows = state["L"], state["H"], np.array(state["particles"], float)
+    frame = np.empty(len(rows), [(name, float) for name in HEADER.split(",")])
+    for k, name in enumerate(frame.dtype.names):
+        frame[name] = rows[:, k]
+    lammps.write_data(path, frame, np.zeros(len(rows)), 1, rho, columns(frame, "vx,vy,vz"),
+                      columns(frame, "wx,wy,wz"), ((0, 0, -0.01 * L), (L, L, H)),
+                      "a packing of the bench")
 
 
 class Lammps:
@@ -104,7 +61,7 @@ class Lammps:
         R = geometry["R"]
         variables = {"data": data, "newton": newton, "skin": skin * R, "dt": repr(geometry["dt"]),
                      "L": repr(geometry["L"]), "warm": warm, "steps": steps, "dump": dump,
-                     "pair": coefficients(p, R, False), "wall": coefficients(p, R, True)}
+                     "pair": lammps.contact_words(p, R, R), "wall": lammps.contact_words(p, R)}
         words = [*wrap, *self.launcher(ranks), self.program, "-in", HERE / "in.packing",
                  "-log", "none"]
         for name, value in variables.items():
