@@ -296,6 +296,18 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(len(frames), 1)
         self.assertEqual(len(frames), len(table(self.folder / "out/log.csv")))
 
+    def test_a_step_that_is_too_large_is_warned_about_before_the_first_one(self):
+        step = 0.004 * math.sqrt(1e3 * (1 - 0.3 ** 2) / 1e6)  # Eq. (50)
+        short = ["--scene", "scene.ini", "--Nframes", "0", "--overwrite", "--dt"]
+        for times, more, says in [(2, [], "2 times Eq. (50): 6.5 steps per contact, errors of 4 %, "
+                                          "unstable from 4 times"),
+                                  (3, ["--en", "0", "--mus", "3"], "unstable from 1.5 times"),
+                                  (3, ["--en", "1", "--mus", "0"], "unstable from 4.8 times")]:
+            self.run_it("", "", "out", *short, times * step, *more, says="warning: dt is " + says
+                        if times == 2 else says)
+        process = self.start("", "", "out", *short, step)
+        self.assertEqual(process.communicate(timeout=300)[1], "")
+
     def test_extreme_numbers_do_not_become_nan(self):
         self.write("v.csv", HEADER + "\n" + particle(v="0,0,1e200"))
         self.write("w.csv", HEADER + "\n" + particle(w="0,0,1e300"))

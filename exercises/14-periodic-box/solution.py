@@ -4,12 +4,12 @@ CHANGES = [
     ('X(eta, real,',
      'X(period, Vec3, (Vec3{0, 0, 0}), "L", "[0, inf)", "size of a periodic box, 0: open") \\\n'
      '  X(eta, real,'),
-    ('  Body<real> wall(int element, const Vec3& centre) const;',
-     '  Body<real> wall(int element, const Vec3& centre) const;\n'
+    ('bool step();',
+     'bool step();\n'
      '  Body<real> image(Body<real> j, const Vec3& centre) const;\n'
-     '  Vec3 in_box(const Vec3& x) const; bool is_nearest(const Vec3& d) const;\n'
+     '  Vec3 in_box(const Vec3& x) const; bool is_shortest(const Vec3& d) const;\n'
      '  template <class F> void each_shift(const F& use) const;'),
-    ('/// A mesh element as a particle sees it: a body at its closest point.',
+    ('static void fail(Slab& b, int i,',
      '''/// The image of j that is nearest to a place.
 Body<real> Simulation::image(Body<real> j, const Vec3& centre) const {
   const Vec3 d = centre - j.x, L = p.period;
@@ -21,7 +21,7 @@ Vec3 Simulation::in_box(const Vec3& x) const { const Vec3 L = p.period;
   const auto inside = [](real a, real l) { return l > 0 ? a - l * std::floor(a / l) : a; };
   return {inside(x.x, L.x), inside(x.y, L.y), inside(x.z, L.z)}; }
 /// Is a distance that of the nearest images?
-bool Simulation::is_nearest(const Vec3& d) const { const Vec3 L = p.period;
+bool Simulation::is_shortest(const Vec3& d) const { const Vec3 L = p.period;
   const auto near = [](real a, real l) { return !(l > 0) || (-l < 2 * a && 2 * a <= l); };
   return near(d.x, L.x) && near(d.y, L.y) && near(d.z, L.z); }
 /// Calls use(shift) for the box and its neighbours.
@@ -29,21 +29,18 @@ template <class F> void Simulation::each_shift(const F& use) const {
   const Vec3 L = p.period; const int a = L.x > 0, b = L.y > 0, c = L.z > 0;
   for (int i = -a; i <= a; ++i) for (int j = -b; j <= b; ++j) for (int k = -c; k <= c; ++k)
     use(Vec3{real(i) * L.x, real(j) * L.y, real(k) * L.z}); }
-/// A mesh element as a particle sees it: a body at its closest point.'''),
-    ('const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x) : s.grains[p.j];',
-     'const Body<real>& c = wall[n] =\n'
-     '          p.j < 0 ? s.wall(-1 - p.j, a.x) : s.image(s.grains[p.j], a.x);'),
+static void fail(Slab& b, int i,'''),
+    (': s.grains[p.j];', ': wall[n] = s.image(s.grains[p.j], a.x);'),
     ('const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });',
      'return &wall[l]; });'),
-    ('const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);',
-     'const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x) : image(grains[j], bi.x);'),
+    (': Body<real>(grains[j]);', ': image(grains[j], bi.x);'),
     ('''      particle_tree.visit(box, [&](int j) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }''',
      '''      each_shift([&](const Vec3& d) {
         particle_tree.visit({box.low - d, box.high - d}, [&](int j) {
           if (j > i || j < b.first) near.push_back({grains[j].x + d, grains[j].reach(), j}); }); }); }'''),
     ('if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);',
-     'if ((j > i || j < b.first) && is_nearest(g.x - x) && close(x, reach)) enlist(b, i, j);'),
+     'if ((j > i || j < b.first) && is_shortest(g.x - x) && close(x, reach)) enlist(b, i, j);'),
     ('for (Grain& g : grains) g.room = slack(norm(g.v));',
      'for (Grain& g : grains) g.x = in_box(g.x), g.room = slack(norm(g.v));'),
     ('all[id[&g - &grains[0]]] = {g.x, g.R,', 'all[id[&g - &grains[0]]] = {in_box(g.x), g.R,'),

@@ -4,8 +4,9 @@ CHANGES = [
     ('X(mus, real,',
      'X(period, Vec3, (Vec3{0, 0, 0}), "L", "[0, inf)", "period in x, y, z; 0: none") \\\n'
      '  X(mus, real,'),
-    ('  real time() const {',
-     '''  bool periodic() const { return p.period.x > 0 || p.period.y > 0 || p.period.z > 0; }
+    ('real time() const {',
+     '''
+  bool periodic() const { return p.period.x > 0 || p.period.y > 0 || p.period.z > 0; }
   /// Takes whole periods off a vector: rest(a, 0.5) is in [-L/2, L/2), rest(a, 0) in [0, L).
   Vec3 rest(Vec3 a, real share) const {
     for (auto side : {&Vec3::x, &Vec3::y, &Vec3::z})
@@ -16,13 +17,11 @@ CHANGES = [
     return moved; }
   real time() const {'''),
     ('int k[block];  // places', 'int k[block]; Body<real> partner[block];  // places'),
-    ('      const bool touch = square(a.x - c.x) < square(a.R + c.R);',
-     '      partner[n] = p.j < 0 ? c : s.beside(a.x, c);\n'
-     '      const bool touch = square(a.x - partner[n].x) < square(a.R + c.R);'),
+    (': s.grains[p.j];', ': s.grains[p.j];\n      partner[n] = p.j < 0 ? c : s.beside(a.x, c);'),
+    ('touch = square(a.x - c.x) <', 'touch = square(a.x - partner[n].x) <'),
     ('const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });',
      'return partner + l; });'),
-    ('bj = j < 0 ? wall(-1 - j, bi.x) : Body<real>(grains[j]);',
-     'bj = j < 0 ? wall(-1 - j, bi.x) : beside(bi.x, grains[j]);'),
+    (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),
     ('      particle_tree.visit(box, [&](int j) {\n',
