@@ -99,7 +99,8 @@ TEST_CASE("exact: the tree finds every element within reach") {
   const Reals radii{0, real(0.05), real(0.2)};
   for (int k = 0; k < 300; ++k) {
     const int n = k % 4 + 1, first = int(mesh.vertices.size());
-    const Vec3 a = random.vector(1), u = random.vector(real(0.3)), v = random.vector(real(0.3));
+    const Vec3 a = random.vector(1), u = random.vector(real(0.3)), w = random.vector(real(0.3));
+    const Vec3 v = n < 4 ? w : cross(u, w);  // four vertices: a rectangle
     for (const Vec3& c : {a, a + u, a + u + v, a + v}) mesh.vertices.push_back(c);
     mesh.elements.push_back({n, {first, first + 1, first + 2, first + 3}, k % 3});
   }

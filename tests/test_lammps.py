@@ -1,5 +1,5 @@
 """The hand-off to LAMMPS and LIGGGHTS: numbers, files, refusals and the way back; no LAMMPS here.
-What LAMMPS makes of the files is case 26 of the verification suite: ./dem verify --lammps."""
+What LAMMPS makes of the files is case 27 of the verification suite: ./dem verify --lammps."""
 import json
 import math
 import os

@@ -117,7 +117,7 @@ def radius_classes(R, count=None):
     _, of = np.unique(of, return_inverse=True)  # classes without members are left out
     radii = np.bincount(of, R) / np.bincount(of)
     error = float(np.abs(R / radii[of] - 1).max())
-    return Classes(of, radii, error if error > 1e-12 else 0.0)
+    return Classes(of, radii, error if error > ALIKE else 0.0)
 
 
 # ----------------------------------------------------------------------------------- geometry

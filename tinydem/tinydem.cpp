@@ -16,15 +16,13 @@ struct Option { const char *name, *dimension, *range, *help; void* at; char type
 #define TINYDEM_OPTION(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
 static vector<Option> options(Parameters& p) { return {TINYDEM_PARAMETERS(TINYDEM_OPTION)}; }
 static string text(const Reals& values, int digits = 0) { string s;
-  for (const real& a : values) s += (&a == &values[0] ? "" : ",") + text(a, digits);
-  return s; }
+  for (const real& a : values) { s += (&a == &values[0] ? "" : ",") + text(a, digits); } return s; }
 static string text(const Option& o) { return o.type == 's' ? o.as<string>() : text(o.numbers()); }
 /// Stores the text of a setting; false when it is malformed.
 static bool assign(const Option& o, const string& s) {
   const auto words = split(o.range, '|');
-  const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s);
+  const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s); Reals a;
   if (o.type == 's') return o.as<string>() = s, known;
-  Reals a;
   for (const string& word : split(s, ',')) if (a.push_back(0); !parse(word, a.back())) return false;
   if (o.type == 'R') return o.as<Reals>() = a, true;
   if (a.size() != o.numbers().size()) return false;
@@ -55,8 +53,7 @@ static bool in_range(const Option& o, const Parameters& p) {
 static long distance(const string& a, const string& b) { long d = 0;
   const auto in = [](auto& s, int c) { return std::count_if(s.begin(), s.end(), [c](int l) {
     return std::tolower(l) == c; }); };
-  for (int c = '0'; c <= 'z'; ++c) d += abs(in(a, c) - in(b, c));
-  return d; }
+  for (int c = '0'; c <= 'z'; ++c) { d += abs(in(a, c) - in(b, c)); } return d; }
 vector<Setting> read_scene(const string& path) { Reader in(path); vector<Setting> all;
   while (in.next('=')) {
     if (in.tokens.size() != 2) in.complain("'" + in.line + "' must be name = value");
@@ -229,12 +226,13 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
   Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions; b.contacts = 0;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
     for (; next < count(b.pairs) && n < block; ++next) {
-      const Pair& later = b.pairs[min(next + 16, count(b.pairs) - 1)];  // to be in the cache then
-      const char* const soon = reinterpret_cast<const char*>(&s.grains[max(later.j, 0)]);
-      __builtin_prefetch(soon), __builtin_prefetch(soon + 64), __builtin_prefetch(soon + 128);
+      const real* soon = &s.grains[max(b.pairs[min(next + 16, count(b.pairs) - 1)].j, 0)].x.x;
+      __builtin_prefetch(soon), __builtin_prefetch(soon + 8), __builtin_prefetch(soon + 16);
       Pair& p = b.pairs[next]; const Body<real>& a = s.grains[p.i];
       const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x, a.v) : s.grains[p.j];
-      bool touch = square(a.x - c.x) < square(a.R + c.R);                       // Eq. (7)
+      const Vec3 d = a.x - c.x; bool touch = square(d) < square(a.R + c.R);     // Eq. (7)
+      const real ahead = p.j < 0 ? dot(d, d + mat.dt * (a.v - c.v)) : 0;
+      if (ahead < 0) fail(b, p.i, "passes through a mesh element");  // a fast wall may not touch it
       if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, touch); }
       else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
       k[n] = next, n += touch; }
@@ -293,8 +291,7 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
       const real way = norm(dt * v), angle2 = square(h) + square(k);
       moved.set(l, {{x, g.R, v, g.m_inv, w, g.R_inv}, q});
       checks.set(l, {way, g.room - way, square(w), angle2}); }
-    for (int l = 0; l < n; ++l) {
-      const Check c = checks.get(l); Grain& g = s.grains[first + l]; const Rigid was = g;
+    for (int l = 0; l < n; ++l) { auto c = checks.get(l); Grain &g = s.grains[first + l], was = g;
       if (!(c.way <= g.R)) fail(b, first + l, "moved more than its radius in one step");
       if (!(c.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
       moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room, b.excess = max(b.excess, -c.room);
@@ -331,8 +328,7 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
       problems.add("particle " + to_string(c.i + 1), "overlaps " +
           (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
           " by " + text(c.delta) + ", more than a radius " + text(c.R) + "; move it"); });
-  supplied += elastic;
-  if (problems.count == 0 && !std::isfinite(supplied))
+  supplied += elastic; if (problems.count == 0 && !std::isfinite(supplied))
     problems.add("particles", "have no finite energy; slow them down");
   problems.stop_if_any(); }
 void Simulation::sort_elements() {
@@ -432,7 +428,8 @@ void Simulation::list_neighbours() {
     first_pair.assign(size_t(slabs.back().last), 0);
     for (const Slab& b : slabs) for (int k = count(b.pairs); k-- > 0;) first_pair[b.pairs[k].i] = k;
     sort_particles(), old.swap(slabs);
-    slabs.assign(size_t(std::clamp(2 * std::cbrt(size() / 1000.0), 1.0, 64.0)), Slab());
+    const double halvings = std::log2(max(size(), 1) / 125.0) / 3;  // slabs end as boxes do
+    slabs.assign(size_t(1) << std::clamp(int(halvings), 0, 6), Slab());
     for (long k = 0, n = count(slabs); k < n; ++k)
       slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n); }
 #pragma omp for schedule(static)
@@ -611,8 +608,7 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
     if (!unknown || from > 0) c.settings.push_back({a.substr(from, to - from), "", "command line"});
     unknown = from > 0; }
   return c; }
-static void run(const Command& command) {
-  const auto settings = [&](const string& scene) {
+static void run(const Command& command) { const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
     all.insert(all.end(), command.settings.begin(), command.settings.end()); return resolve(all); };
   Parameters p = settings(command.scene);
@@ -622,16 +618,16 @@ static void run(const Command& command) {
   Simulation s(p, p.mesh.empty() ? Mesh() : read_mesh(p.mesh, p.Rmesh.size()),
                p.particles.empty() ? vector<Particle>() : read_particles(p.particles));
   if (!resuming) open_folder(p, command.overwrite || command.resume);
-  if (const double times = double(p.dt / default_step(p)); times > 1.01)
-    std::cerr << "warning: dt is " << times << " times Eq. (50): about " << 12.7 / times
-              << " steps per contact, errors of " << 2 * times << " %, unstable from 5 times\n";
+  const real times = p.dt / default_step(p), mu = min(p.mus, real(3));  // limit: a fit, case 26
+  if (times > real(1.01)) std::cerr << "warning: dt is " << text(times, 3) << " times Eq. (50): "
+      << text(13 / times, 2) << " steps per contact, errors of " << text(2 * times, 2)
+      << " %, unstable from " << text((24 - 12 * s.material.beta) / (5 + mu), 2) << " times\n";
   const auto now = [] { return double(std::chrono::steady_clock::now().time_since_epoch() / 1ns); };
   const long first = resuming ? resume(s) : 0; const double start = now();
   for (long frame = first; frame <= p.Nframes; ++frame) {
     const double begin = now(); if (frame > 0) s.run(p.Nsteps);
     const Summary e = write_frame(s, frame, 1e9 * double(s.size() * p.Nsteps) / (now() - begin));
-    if (!command.quiet)
-      std::cout << "frame " << frame << "/" << p.Nframes << "  t = " << s.time()
+    if (!command.quiet) std::cout << "frame " << frame << "/" << p.Nframes << "  t = " << s.time()
                 << "  N = " << s.size() << "  contacts = " << e.contacts
                 << "  kinetic energy = " << e.kinetic + e.rotational << std::endl;
     const double each = 1e-9 * (now() - start) / double(max(frame - first, 1L));

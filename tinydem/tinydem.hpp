@@ -140,8 +140,7 @@ inline vector<string> split(const string& s, char separator) {
     a.erase(0, a.find_first_not_of(" \t\r")), a.erase(a.find_last_not_of(" \t\r") + 1);
     if (!a.empty() || separator != ' ') tokens.push_back(a); } return tokens; }
 /// A text file, value by value; skips comments (#), blank lines and a byte order mark.
-struct Reader {
-  string path, line{}, hint{}; vector<string> tokens{};
+struct Reader { string path, line{}, hint{}; vector<string> tokens{};
   size_t column = 0, number = 0;  // of the next value, of the line
   Problems problems{}; std::ifstream file;
   explicit Reader(const string& p) : path(p), file(p) { file.peek();
@@ -235,12 +234,17 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
   for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)})
     if (square(p - q) < square(p - best)) best = q;
   return best; }
-/// The same for any mesh element; the two sides of a rectangle are independent.
+/// The same for any mesh element; the two sides of a rectangle are independent. The point is
+/// inside of it most often: that costs a third.
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   const Vec3& a = m.corner(e, 0); if (e.n == 1) return a;
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
+  const Vec3 ab = m.corner(e, 1) - a, ad = m.corner(e, 3) - a, n = cross(ab, ad), d = p - a;
+  const real u = dot(d, ab), v = dot(d, ad);
+  if (e.n == 4 && 0 < u && u < square(ab) && 0 < v && v < square(ad))
+    return p - dot(d, n) / square(n) * n;
   const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
-  return e.n == 2 ? q : closest_on_edge(p, q, q + (m.corner(e, 3) - a)); }
+  return e.n == 2 ? q : closest_on_edge(p, q, q + ad); }
 struct Box { Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
   void add(const Box& b) {

@@ -31,13 +31,13 @@ def draw_limit(ax, rows):
 def draw_rebound(ax, rows):
     for k, en in enumerate(np.unique(rows["en"])):
         one = style.where(rows, en=en)
-        ax.fill_between(one["dt_over_eq50"], one["smallest"], one["largest"], alpha=0.35,
+        ax.fill_between(one["dt_over_eq50"], one["smallest"], one["largest"], alpha=0.3,
                         color=style.COLORS[k], linewidth=0)
         ax.axhline(en, color=style.COLORS[k], linewidth=0.8, linestyle=style.DASHES[k])
         ax.annotate(f"{en:g}", (1, en), xytext=(-3, 1), textcoords="offset points", fontsize=6.5,
                     ha="right", va="center")
-    ax.set_ylim(-0.1, 2)
-    ax.set_xlim(0.5, 8)
+    ax.set_ylim(-0.1, 1.6)
+    ax.set_xlim(0.5, 6)
     style.label(ax, "step / step of Eq. (50)", "rebound / impact",
                 "head-on at 1 m/s, all phases of a step")
 

@@ -4,7 +4,7 @@ from grader.labs import Result, mean_at, power_between
 TITLE, LEVEL = "Lab: Brazil nuts", "**"
 VARY, VALUES, LEAST = "A", (4, 5, 6.25), 4  # parameter, its values, seeds for each of them
 ROW, SCATTERS = "A seed cycles", "cycles"
-INSTRUCTOR = range(1, 9)  # seeds of runs.csv
+INSTRUCTOR = range(1, 7)  # seeds of runs.csv
 EQUATIONS = {"first_result": "", "second_result": "q = ln(c3/c1)/ln(25/16)"}
 TREND = "falls"
 FRAMES = {4: 150, 5: 100, 6.25: 70}  # a frame per cycle; the balls are up long before the end

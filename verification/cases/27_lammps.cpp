@@ -1,5 +1,5 @@
-// Case 26: the reference for the oblique impacts that the solver and LAMMPS both compute: the
-// stick-slip reference of impact_reference.hpp, sliding friction only. 26_lammps.py does the rest.
+// Case 27: the reference for the oblique impacts that the solver and LAMMPS both compute: the
+// stick-slip reference of impact_reference.hpp, sliding friction only. 27_lammps.py does the rest.
 #include "impacts.hpp"
 
 using namespace verification;
