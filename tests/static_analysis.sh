@@ -20,12 +20,11 @@ fi
 #   constParameter, constVariable  auto& is const where that which it names is
 #   knownConditionTrueFalse        return a = b, true;
 #   noExplicitConstructor          our vector is made from std::vector, to look the same
-#   objectIndex                    a Particle is a row of 14 numbers: (&a.x.x)[k] is column k
 #   shadowFunction                 a local variable may have the name of a function elsewhere
 #   unusedStructMember             used in templates, or by structured bindings: not seen
 #   useStlAlgorithm                a loop of one line says the same
 exec cppcheck --quiet --error-exitcode=1 --std=c++17 --language=c++ \
   --enable=warning,style,performance,portability \
   --suppress=constParameter --suppress=constVariable --suppress=knownConditionTrueFalse \
-  --suppress=noExplicitConstructor --suppress=objectIndex --suppress=shadowFunction \
+  --suppress=noExplicitConstructor --suppress=shadowFunction \
   --suppress=unusedStructMember --suppress=useStlAlgorithm "$@" tinydem.cpp
