@@ -17,10 +17,8 @@ CHANGES = [
     return moved; }
   real time() const {'''),
     ('int k[block];  // places', 'int k[block]; Body<real> partner[block];  // places'),
-    (': s.grains[p.j];', ': s.grains[p.j];\n      partner[n] = p.j < 0 ? c : s.beside(a.x, c);'),
-    ('touch = square(a.x - c.x) <', 'touch = square(a.x - partner[n].x) <'),
-    ('const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });',
-     'return partner + l; });'),
+    (': s.grains[p.j];', ': partner[n] = s.beside(a.x, s.grains[p.j]);'),
+    ('return j < 0 ? &wall[l] : &s.grains[j]; });', 'return j < 0 ? &wall[l] : &partner[l]; });'),
     (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),

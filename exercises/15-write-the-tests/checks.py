@@ -24,7 +24,7 @@ RIGHT = [0, *range(FIRST_RIGHT, FIRST_RIGHT + len(LIST.RIGHT))]
 def broken(ask, name):
     """The number of a broken solver: another one for seeds that are not public."""
     k = 1 + NAMES.index(name)
-    return k if ask.seed in PUBLIC_SEEDS else RIGHT[-1] + k
+    return k if ask.seed in PUBLIC_SEEDS or RIGHT[-1] == len(CHANGES) else RIGHT[-1] + k
 
 
 def run(ask, solver, unchanged=False):

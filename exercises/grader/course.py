@@ -341,6 +341,12 @@ class Exercise:
             raise BadExercise(str(problem)) from None
         return texts
 
+    @property
+    def submissions(self):
+        """Where a student's answer may be, in the student's directory."""
+        return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
+                f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
+
     def broken_solver(self, number, right):
         """The text of tinydem.cpp with all CHANGES, of which the variable `number` chooses."""
         try:
@@ -348,12 +354,6 @@ class Exercise:
                                       [] if right else self.changes, number)
         except ValueError as problem:
             raise BadExercise(f"{self.folder}: {problem}") from None
-
-    @property
-    def submissions(self):
-        """Where a student's answer may be, in the student's directory."""
-        return [f"{self.number}.cpp", f"{self.slug}.cpp", f"{self.number}/answer.cpp",
-                f"{self.slug}/answer.cpp", f"exercises/{self.slug}/answer.cpp"]
 
     def answer(self):
         """The file (or folder) that the student edits; made from the starter at first."""

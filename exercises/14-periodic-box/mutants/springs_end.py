@@ -1,6 +1,7 @@
 # loses: shift_invariance history
 # A contact begins anew when its partner changes its image.
 CHANGES = [
-    ('bool touch = square(a.x - c.x) < square(a.R + c.R);',
-     'bool touch = square(a.x - c.x) < square(a.R + c.R);\n      if (p.j >= 0 && p.touching && square(c.x - s.grains[p.j].x) > 0 && M::any)\n        b.springs[next] = {};'),
+    ('< square(a.R + c.R);',
+     '< square(a.R + c.R);\n      if (p.j >= 0 && p.touching && square(c.x - s.grains[p.j].x) > 0 && '
+     'M::any)\n        b.springs[next] = {};'),
 ]
