@@ -7,11 +7,11 @@ set -eu
 tool=$1
 shift
 case $tool in
-  clang-tidy) known='version 14\.' ;;
-  cppcheck) known='Cppcheck 2\.10' ;;
+  clang-tidy) known='version 14.' ;;
+  cppcheck) known='Cppcheck 2.10' ;;
   *) echo "static_analysis.sh '$tool': use clang-tidy or cppcheck" >&2; exit 2 ;;
 esac
-"$tool" --version 2> /dev/null | grep -q "$known" || { echo "skipped: no $tool, $known"; exit 77; }
+"$tool" --version 2> /dev/null | grep -qF "$known" || { echo "skipped: no $tool, $known"; exit 77; }
 cd "$(dirname "$0")/../tinydem"
 if [ "$tool" = clang-tidy ]; then
   exec clang-tidy --quiet tinydem.cpp -- -std=c++17 -fopenmp "$@"
