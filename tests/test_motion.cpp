@@ -118,9 +118,10 @@ static Simulation implosion(const Confined& c, const string& settings, int corne
     const Vec3 x = along(random.vector(size - real(0.02)), c.place);
     bool free = true;
     for (const Particle& a : cloud) free = free && norm(a.x - centre - x) > real(0.015);
-    if (free)
-      cloud.push_back(ball(centre + x, random(real(0.004), real(0.007)), -5 * x + along(random.vector(1), c.place),
-                           along(random.vector(100), c.spin)));
+    if (!free) continue;
+    const Vec3 w = along(random.vector(100), c.spin);  // in this order with every compiler
+    const Vec3 v = -5 * x + along(random.vector(1), c.place);
+    cloud.push_back(ball(centre + x, random(real(0.004), real(0.007)), v, w));
   }
   return Simulation(scene(settings), mesh, cloud);
 }

@@ -69,7 +69,9 @@ static Simulation cloud(Random& random, int n, real ratio, const Vec3& box, cons
     for (const Particle& a : all) free = free && norm(a.x - x) > a.R + R - min(a.R, R) / 5;
     for (const Element& e : mesh.elements)
       free = free && norm(closest_point(mesh, e, x) - x) > p.Rmesh[size_t(e.group)] + real(0.8) * R;
-    if (free) all.push_back(ball(x, R, random.vector(1), random.vector(1 / R)));
+    if (!free) continue;
+    const Vec3 w = random.vector(1 / R), v = random.vector(1);  // in this order with every compiler
+    all.push_back(ball(x, R, v, w));
   }
   return Simulation(p, mesh, all);
 }

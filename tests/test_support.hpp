@@ -71,7 +71,8 @@ inline vector<Particle> swarm(int n, unsigned seed = 1) {
   for (int k = 0; k < n * n * n; ++k) {
     const real middle = real(n - 1) / 2;
     const Vec3 x = real(0.022) * Vec3{real(k % n) - middle, real(k / n % n) - middle, real(k / n / n) - middle};
-    all.push_back(ball(x, random(real(0.007), real(0.01)), -15 * x + random.vector(1), random.vector(30)));
+    const Vec3 w = random.vector(30), v = -15 * x + random.vector(1);  // in this order with every compiler
+    all.push_back(ball(x, random(real(0.007), real(0.01)), v, w));
   }
   return all;
 }

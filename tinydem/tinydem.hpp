@@ -180,7 +180,7 @@ inline vector<Particle> read_particles(const string& path) { Reader in(path); in
   while (in.next(',')) { Particle a; const int before = in.problems.count;
     for (size_t k = 0; k < at.size(); ++k)  // a line that is too short is one mistake
       if (in.column = at[k]; in.column < in.tokens.size() || in.problems.count == before)
-        (&a.x.x)[k] = in.value(names[k]);
+        reinterpret_cast<real*>(&a)[k] = in.value(names[k]);
     if (in.column = at.size(), in.end_line(); in.problems.count > before) continue;
     if (!(a.R > 0)) in.complain("R = " + text(a.R) + " must be > 0");
     const real q = sqrt(square(a.q[0]) + square(a.q[1]) + square(a.q[2]) + square(a.q[3]));
