@@ -239,7 +239,7 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   const Vec3& a = m.corner(e, 0); if (e.n == 1) return a;
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
-  const Vec3 ab = m.corner(e, 1) - a, ad = m.corner(e, 3) - a, n = cross(ab, ad), d = p - a;
+  const Vec3 ab = m.corner(e, 1) - a, ad = m.corner(e, e.n - 1) - a, n = cross(ab, ad), d = p - a;
   const real u = dot(d, ab), v = dot(d, ad);
   if (e.n == 4 && 0 < u && u < square(ab) && 0 < v && v < square(ad))
     return p - dot(d, n) / square(n) * n;
