@@ -433,7 +433,8 @@ def wall_fixes(planes, moves, classes, p, t, indentation):
             low, A, began, off = wiggle(move, t, p["dt"])
             low = low if axis == move[0] else 0.0
             wiggles = f" wiggle {'xyz'[move[0]]} {A:.17g} {1 / move[2]:.17g}"
-            notes.append(f"group {plane.group}: the phase of the vibration is off by {off:.1g} rad")
+            notes.append(f"group {plane.group}: the phase of the vibration is off by {off:.1g} rad; "
+                         "friction and damping see its velocity half a step later than here")
         place = plane.n[axis] * plane.d + low if straight else 0.0
         where = f"{'xyz'[axis]}plane " + (f"{place:.17g} NULL" if plane.n[axis] > 0 else
                                           f"NULL {place:.17g}")
