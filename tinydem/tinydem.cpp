@@ -124,7 +124,7 @@ template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& 
   c.ri = i.R - c.delta / 2;                                                     // Eq. (29)
   c.rj = j.R - c.delta / 2;                                                     // Eq. (30)
   const Vec<T> v = i.v - j.v + cross(c.n, c.ri * i.w + c.rj * j.w);             // Eq. (26)
-  c.vn = dot(v, c.n);                                                           // Eq. (27)
+  c.vn = dot(i.v - j.v, c.n);  // spins add nothing along n                     // Eq. (27)
   c.vs = v - c.vn * c.n;                                                        // Eq. (28)
   const Vec<T> w = i.w - j.w;                                                   // Eq. (38)
   const T r = select(wall, c.ri, c.ri * c.rj * inverse);  // r_i + r_j = |d|
@@ -193,36 +193,37 @@ Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) cons
   return {x, p.Rmesh[e.group], g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
 /// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
 /// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
-bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, int& heir) const {
+bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const {
   const auto& pairs = b.pairs; const int i = pairs[k].i; const Grain& a = grains[i];
-  const auto group = [&](int l) { return mesh.elements[-1 - pairs[l].j].group; };
-  const bool fresh = !(pairs[k].touching & 1);
   const auto rival = [&](int l) {
-    return pairs[l].i == i && pairs[l].j < 0 && group(l) == group(k); };
+    return l >= 0 && l < count(pairs) && pairs[l].i == i && pairs[l].j < 0; };
+  if (heir = -1; !rival(k - 1) && !rival(k + 1)) return true;
+  const auto group = [&](int l) { return mesh.elements[-1 - pairs[l].j].group; };
   const auto point = [&](int l, const Vec3& x) { return wall(-1 - pairs[l].j, x).x; };
-  const auto on = [&](int l, const Vec3& x) { return norm(x - point(l, x)) < same_point * a.R; };
-  const real near = same_point * a.R + p.dt * norm(a.v - c.v);  // as far as a step moves c
-  bool nearest = true; int l = k; for (heir = -1; l > 0 && rival(l - 1);) --l;
-  for (; l < count(pairs) && rival(l); ++l) if (l != k) {
-    const Vec3 q = point(l, a.x), up = a.x - q; const real far = square(up) - square(a.x - c.x);
-    const bool above = dot(c.x - q, up) > same_point * square(a.R);  // then c is not on l
-    if (far < 0 || (far == 0 && l < k)) nearest = nearest && (above || !on(l, c.x));
+  const real tiny = same_point * a.R, near = tiny + p.dt * norm(a.v - c.v);  // a step moves c
+  const auto on = [&](int l) { return norm(c.x - point(l, c.x)) < tiny; };
+  if (w.i != i) { w.i = i, w.points.clear(), w.first = k; while (rival(w.first - 1)) --w.first;
+    for (int l = w.first; rival(l); ++l) w.points.push_back(l == k ? c.x : point(l, a.x)); }
+  const bool fresh = !(pairs[k].touching & 1); bool nearest = true; int l = w.first - 1;
+  for (const Vec3& q : w.points) if (++l != k && nearest && group(l) == group(k)) {
+    const Vec3 up = a.x - q; const real far = square(up) - square(a.x - c.x);
+    if (far < 0 || (far == 0 && l < k)) nearest = dot(c.x - q, up) > tiny * a.R || !on(l);
     else if (fresh && (pairs[l].touching >> (l < k)) & 1 && norm(q - c.x) < near) heir = l; }
   return nearest; }
 /// Updates the state of a contact with the mesh: its springs come over a seam, turn with the group.
-bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, bool touch) {
+bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool touch) {
   Pair& at = b.pairs[k]; const Group& g = groups[mesh.elements[-1 - at.j].group]; int heir = -1;
-  touch = touch && is_nearest(b, k, c, heir), at.touching = char(2 * (at.touching & 1) + touch);
+  touch = touch && is_nearest(b, k, c, w, heir), at.touching = char(2 * (at.touching & 1) + touch);
   if (!touch || !friction) return touch;
   Springs<real>& u = b.springs[k];
   if (at.touching == 1) u = heir < 0 ? Springs<real>{} : b.springs[heir];
   if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur);
   return touch; }
-struct Reaction { Vec3 f, ti, tj; real excess; };
+struct Reaction { Vec3 f, ti, tj; real excess; }; struct Check { real way, room, spin2, angle2; };
 /// Forces in all contacts of a slab, a block at a time, added up in the order of the list.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
-  const Material<real> mat = s.material; Body<real> wall[block];
-  int k[block];  // places of the contacts in the list
+  const Material<real> mat = s.material; Body<real> wall[block]; Walls walls;
+  int k[block]; const Body<real> *ai[block], *aj[block];  // places in the list, bodies
   Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions; b.contacts = 0;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
     for (; next < count(b.pairs) && n < block; ++next) {
@@ -233,12 +234,10 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       const Vec3 d = a.x - c.x; bool touch = square(d) < square(a.R + c.R);     // Eq. (7)
       const real ahead = p.j < 0 ? dot(d, d + mat.dt * (a.v - c.v)) : 0;
       if (ahead < 0) fail(b, p.i, "passes through a mesh element");  // a fast wall may not touch it
-      if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, touch); }
+      if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, walls, touch); }
       else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
-      k[n] = next, n += touch; }
-    bi.gather(n, [&](int l) { return &s.grains[b.pairs[k[l]].i]; });
-    bj.gather(n, [&](int l) {
-      const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });
+      k[n] = next, ai[n] = &a, aj[n] = &c, n += touch; }
+    bi.gather(n, [&](int l) { return ai[l]; }), bj.gather(n, [&](int l) { return aj[l]; });
     if (M::any) springs.gather(n, [&](int l) { return &b.springs[k[l]]; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
@@ -251,9 +250,9 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       if (!(r.excess <= 0)) fail(b, i, j < 0 ? "passes through a mesh element"
                                             : "overlaps another by more than a radius");
       if (M::any) b.springs[k[l]] = springs.get(l);
-      s.grains[i].f += r.f, s.grains[i].t += r.ti;                              // Eqs. (1, 2)
+      s.grains[i].f += r.f; if (M::any) s.grains[i].t += r.ti;                  // Eqs. (1, 2)
       if (j < b.first || j >= b.last) continue;  // a wall, or the other slab adds to j
-      s.grains[j].f += -r.f, s.grains[j].t += r.tj; }} }                        // Eqs. (56, 57)
+      s.grains[j].f += -r.f; if (M::any) s.grains[j].t += r.tj; }} }            // Eqs. (56, 57)
 /// p q for side = 1, q p for side = -1.
 INLINE Quaternion product(const Quaternion& p, const Quaternion& q, real side) {  // Eq. (49)
   return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)}; }
@@ -268,13 +267,11 @@ template <bool large>
 INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
-struct Check { real way, room, spin2, angle2; };
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
 template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
-  const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
+  const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; b.excess = -1;
-  Block<Grain> grains; Block<Rigid> moved; Block<Check> checks;
+  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Rigid> moved; Block<Check> checks;
   for (int first = b.first; first < b.last; first += block) {
     const int n = min(block, b.last - first);
     grains.gather(n, [&](int l) { return &s.grains[first + l]; });
@@ -349,59 +346,64 @@ void Simulation::move_mesh() {
     g.shift = (std::sin(angle) - std::sin(g.phase)) * g.A + time() * g.V;
     g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
     g.q = rotation<true>(time() / 2 * g.W); }}
-void Simulation::add(const Particle& a) {
-  const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
+void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
   grains.push_back({{{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q}, {}, {}, 0});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
-  id.push_back(count(id)), stale = true; }
-/// No particle and no mesh element within the sphere?
-bool Simulation::is_free(const Vec3& centre, real R) const {
-  bool free = true; real excess = 0; for (const Slab& b : slabs) excess = max(excess, b.excess);
-  const auto check = [&](const Body<real>& j) { free &= square(centre - j.x) >= square(R + j.R); };
-  particle_tree.visit(Box::around(centre, R + excess), [&](int j) { check(grains[j]); });
-  for (int j = count(particle_tree.order); j < size(); ++j) check(grains[j]);  // just spawned
-  for (const Group& g : groups) if (free) g.tree.visit(
-      Box::around(g.back(centre), R), [&](int k) { check(wall(g.tree.order[k], centre)); });
+  id.push_back(count(id)); }
+/// Is a sphere free? `near`: what it may touch before it has gone that `way`.
+bool Simulation::is_free(const Vec3& x, real R, real way, vector<int>& near) const {
+  bool free = true; real far = way; for (const Slab& b : slabs) far = max(far, b.excess);
+  const auto check = [&](int j, const Body<real>& other, real slack) {
+    const real d2 = square(x - other.x); free &= d2 >= square(R + other.R);
+    if (d2 < square(R + way + other.R + slack)) near.push_back(j); };
+  const auto check_grain = [&](int j) { check(j, grains[j], grains[j].room); };
+  near.clear(), particle_tree.visit(Box::around(x, R + far), check_grain);
+  for (int j = count(particle_tree.order); j < size(); ++j) check_grain(j);  // spawned since then
+  for (auto& g : groups) if (free) g.tree.visit(Box::around(g.back(x), R + way + g.slack),
+      [&](int k) { check(-1 - g.tree.order[k], wall(g.tree.order[k], x), g.slack); });
   return free; }
 /// Draws places in the spawn box; a radius that found no room waits for the next attempt.
-void Simulation::spawn() { const Vec3 box = p.smax - p.smin;
+void Simulation::spawn() { const Vec3 box = p.smax - p.smin; const real way = slack(norm(p.v0));
   const auto uniform = [&] { return ++draws, real(double(random() >> 11) * 0x1p-53); };  // [0, 1)
-  for (long k = 0; k < p.Nspawn && size() < p.Nmax; ++k) {
+  vector<int> near; for (long k = 0; k < p.Nspawn && size() < p.Nmax; ++k) {
     const Vec3 at = p.smin + Vec3{uniform() * box.x, uniform() * box.y, uniform() * box.z};
     if (spawn_radius <= 0) spawn_radius = p.Rmin + (p.Rmax - p.Rmin) * uniform();
-    if (!is_free(at, spawn_radius)) continue;
-    add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0}); }}
+    if (!is_free(at, spawn_radius, way, near)) continue;
+    add({at, std::exchange(spawn_radius, real(0)), p.v0, {1, 0, 0, 0}, p.w0});
+    const int i = size() - 1; grains[i].room = way, slabs.back().last = size();
+    for (const int j : near) for (Slab& b : slabs) {  // the list goes on with the new pairs
+      const bool home = b.first <= j && j < b.last;
+      if (home || &b == &slabs.back()) b.pairs.push_back(home ? Pair{j, i, 0} : Pair{i, j, 0}); }
+    stale = stale || size() > count(particle_tree.order) + 100; }  // is_free asks them one by one
+  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() : 0); }
 /// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
-  constexpr double build = 100;  // a list costs, per particle, as much as so many idle pairs a step
+  const double build = 70 / double(1 + 2 * rooms / (rooms + radii));  // in idle pairs per particle
   double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
   const bool early = build * size() > idle * double(steps - listed_at);
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
-  const real mean = radii / real(max(size(), 1));
-  const auto slack = [&](real speed) { return horizon * (mean / 50 + 10 * p.dt * speed); };
-  for (Grain& g : grains) g.room = slack(norm(g.v));
+  rooms = 0; for (Grain& g : grains) g.room = slack(norm(g.v)), rooms += g.room;
   for (Group& g : groups) g.slack = g.moves ? slack(g.speed) : 0;
   const bool sort = count(particle_tree.order) != size() || rebuilds % 16 == 0;
   particle_tree.build(size(), [&](int i) { return grains[i].box(); }, sort);
-  vector<int> from = particle_tree.order;
-  for (int i = 0; i < size() && sort; ++i) {  // in place, cycle by cycle
-    const Grain grain = grains[i]; const int number = id[i]; int k = i;
-    for (int next; (next = std::exchange(from[k], k)) != i; k = next)
-      grains[k] = grains[next], id[k] = id[next];
-    grains[k] = grain, id[k] = number; } }
+  const auto permute = [&](auto& all) { const auto from = all;
+    for (int i = 0; i < size(); ++i) all[i] = from[particle_tree.order[i]]; };
+  if (sort) permute(grains), permute(id); }
 /// Appends a pair to a slab, with the springs that it had before the particles were sorted.
 void Simulation::enlist(Slab& b, int i, int j) const {
   const int was_i = particle_tree.order[i], was_j = j < 0 ? j : particle_tree.order[j];
   const bool mirrored = 0 <= was_j && was_j < was_i;  // a pair always stands with its lower index
   const int owner = mirrored ? was_j : was_i, partner = mirrored ? was_i : was_j;
   b.pairs.push_back({i, j, false}), b.springs.resize(friction ? b.pairs.size() : 0);
-  if (owner >= count(first_pair)) return;
-  const Slab& s = old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
-  for (int k = first_pair[owner]; k < count(s.pairs) && s.pairs[k].i == owner; ++k) {
-    if (s.pairs[k].j != partner) continue;
-    b.pairs.back().touching = s.pairs[k].touching; if (friction) b.springs.back() = s.springs[k];
-    if (friction && mirrored) b.springs.back().us = -s.springs[k].us; }}
+  b.sorted = count(b.pairs); if (owner >= count(first_pair)) return;
+  const Slab* s = &old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
+  while (s->last <= owner) ++s;  // the last slab grows when particles are spawned
+  for (int k = first_pair[owner]; k < count(s->pairs); ++k) {
+    if (s->pairs[k].i != owner) k = max(k, s->sorted - 1);  // go on with what was spawned
+    if (s->pairs[k].i != owner || s->pairs[k].j != partner) continue;
+    b.pairs.back().touching = s->pairs[k].touching; if (friction) b.springs.back() = s->springs[k];
+    if (friction && mirrored) b.springs.back().us = -s->springs[k].us; }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
   struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
@@ -424,8 +426,7 @@ void Simulation::find_pairs(Slab& b) {
 void Simulation::list_neighbours() {
 #pragma omp barrier
 #pragma omp single
-  {
-    first_pair.assign(size_t(slabs.back().last), 0);
+  { first_pair.assign(size_t(slabs.back().last), 0);
     for (const Slab& b : slabs) for (int k = count(b.pairs); k-- > 0;) first_pair[b.pairs[k].i] = k;
     sort_particles(), old.swap(slabs);
     const double halvings = std::log2(max(size(), 1) / 125.0) / 3;  // slabs end as boxes do
@@ -464,18 +465,18 @@ vector<Particle> Simulation::particles() const {
   return all; }
 template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
-  for (const Slab& b : slabs) for (int k = 0; k < count(b.pairs); ++k) {
+  for (const Slab& b : slabs) { Walls walls; for (int k = 0; k < count(b.pairs); ++k) {
     const auto [i, j, touching] = b.pairs[k];
     if (0 <= j && j < i) continue;  // one half of those across slabs
     const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x, bi.v) : Body<real>(grains[j]);
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
-    int heir = -1; if (j < 0 && !is_nearest(b, k, bj, heir)) continue;
+    int heir = -1; if (j < 0 && !is_nearest(b, k, bj, walls, heir)) continue;
     Springs<real> u{}; if (touching & 1) heir = k; if (friction && heir >= 0) u = b.springs[heir];
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
     found(Contact{id[i], j < 0 ? -1 : id[j], j < 0 ? -1 - j : -1, c.delta, c.R, c.mstar, r.kn,
-                  r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }}
+                  r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }} }
 vector<Contact> Simulation::contacts() const { vector<Contact> all;
   return each_contact([&](const Contact& c) { all.push_back(c); }), all; }
 Summary Simulation::summary() const { Summary s;
@@ -499,7 +500,7 @@ void Simulation::archive(std::fstream& file, bool loading) {
   size_t n = slabs.size(); bytes(&n, sizeof n), slabs.resize(n), array(id), array(grains);
   for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
   for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
-  for (Slab& b : slabs) bytes(&b.first, 2 * sizeof(int)), array(b.pairs), array(b.springs);
+  for (Slab& b : slabs) bytes(&b.first, 3 * sizeof(int)), array(b.pairs), array(b.springs);
   std::uint64_t stored = sum; const std::uint64_t expected = sum; bytes(&stored, sizeof stored);
   if (stored != expected) throw InputError("restart.bin is damaged; use --overwrite");
   stale = true, particle_tree.order.clear();

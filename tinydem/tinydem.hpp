@@ -234,8 +234,7 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
   for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)})
     if (square(p - q) < square(p - best)) best = q;
   return best; }
-/// The same for any mesh element; the two sides of a rectangle are independent. The point is
-/// inside of it most often: that costs a third.
+/// The same for any mesh element; the sides of a rectangle are independent, most points inside.
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   const Vec3& a = m.corner(e, 0); if (e.n == 1) return a;
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
@@ -276,13 +275,11 @@ struct Tree { static constexpr int leaf = 4; vector<int> order{};
 #pragma omp task if (last - first > 4000) default(shared) firstprivate(sort, k, first, middle)
     halve(box_of, sort, 2 * k, first, middle);
     halve(box_of, sort, 2 * k + 1, middle, last); }
-  /// Calls found(i) for the places i in `order` of all things whose boxes may meet a box.
-  template <class F> void visit(const Box& q, const F& found) const {
-    visit(q, found, 0, count(order), 1); }
-  template <class F> void visit(const Box& q, const F& found, int a, int b, int k) const {
-    if (a == b || !boxes[k].meets(q)) return;
-    if (b - a <= leaf) for (int i = a; i < b; ++i) found(i);
-    else visit(q, found, a, (a + b) / 2, 2 * k), visit(q, found, (a + b) / 2, b, 2 * k + 1); } };
+  /// Calls f(i) for the places i in `order` of all things whose boxes may meet a box.
+  template <class F> void visit(const Box& q, const F& f, int a = 0, int b = -1, int k = 1) const {
+    if (b = b < 0 ? count(order) : b; a == b || !boxes[k].meets(q)) return;
+    if (b - a <= leaf) for (int i = a; i < b; ++i) f(i);
+    else visit(q, f, a, (a + b) / 2, 2 * k), visit(q, f, (a + b) / 2, b, 2 * k + 1); } };
 // --------------------------------------------------------------------------------- interface
 /// What a scene file says; throws InputError with every mistake.
 vector<Setting> read_scene(const string& path);
@@ -314,13 +311,14 @@ struct Group { Tree tree{}; bool moves = false;
   Vec3 there(const Vec3& x) const { return P + rotated(q, x - P) + shift; } };
 /// Consecutive particles that one thread looks after. How many slabs there are follows from N
 /// alone and every sum has a fixed order: the same bits for every number of threads.
-struct Slab { int first = 0, last = 0;
+struct Slab { int first = 0, last = 0, sorted = 0;  // pairs are sorted up to there
   vector<Pair> pairs{};             // by i; a pair of particles of two slabs stands in both
   vector<Springs<real>> springs{};  // of each pair, if the scene has friction
   long contacts = 0;                // in the last step
   real excess = -1;                 // how far a particle is out of the sphere that was listed [L]
   int culprit = -1;                 // particle at which the run became unstable
   const char* reason = ""; bool failed = false; };
+struct Walls { int i = -1, first = 0; vector<Vec3> points{}; };  // near i, pairs from first on
 /// A contact of particles i and j, or of i and a mesh element; the other one is -1.
 struct Contact { int i, j, element;
   real delta, R, mstar, kn;  // overlap, smaller radius [L], effective mass [M], stiffness [M/T^2]
@@ -330,8 +328,7 @@ struct Contact { int i, j, element;
 struct Summary { long contacts = 0;
   real kinetic = 0, rotational = 0, potential = 0, elastic = 0, overlap = 0, steps = 0;
   real energy() const { return kinetic + rotational + potential + elastic; } };
-/// The solver. Mesh and initial particles may be empty. Throws InputError for particles that
-/// coincide or overlap by more than a radius.
+/// The solver. Throws InputError for particles that coincide or overlap by more than a radius.
 struct Simulation {
   explicit Simulation(const Parameters&, const Mesh& = {}, const vector<Particle>& initial = {});
   void run(long count);                ///< time steps; RunError when the run is unstable
@@ -347,14 +344,16 @@ struct Simulation {
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
-  real spawn_radius = 0, horizon = 1;    // drawn but not yet placed [L]; see sort_particles
+  real spawn_radius = 0, horizon = 2, rooms = 0;  // drawn, not yet placed [L]; see sort_particles
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
   bool step(); void list_neighbours();  // all threads of a team call these, one thread the others
   void sort_elements(), move_mesh(), sort_particles(), find_pairs(Slab& b), spawn();
-  bool is_nearest(const Slab& b, int k, const Body<real>& c, int& heir) const;
-  bool touch_mesh(Slab& b, int k, const Body<real>& c, bool touch); void add(const Particle& a);
-  void enlist(Slab& b, int i, int j) const; bool is_free(const Vec3& centre, real R) const;
+  bool is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const;
+  bool touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool touch);
+  void add(const Particle& a), enlist(Slab& b, int i, int j) const;
+  real slack(real v) const { return horizon * (radii / real(size() + 1) / 50 + 10 * p.dt * v); }
+  bool is_free(const Vec3& x, real R, real way, vector<int>& near) const;
   Body<real> wall(int element, const Vec3& centre, const Vec3& v = {}) const; };
 }  // namespace tinydem

@@ -31,8 +31,6 @@ template <class F> void Simulation::each_shift(const F& use) const {
     use(Vec3{real(i) * L.x, real(j) * L.y, real(k) * L.z}); }
 static void fail(Slab& b, int i,'''),
     (': s.grains[p.j];', ': wall[n] = s.image(s.grains[p.j], a.x);'),
-    ('const int j = b.pairs[k[l]].j; return j < 0 ? &wall[l] : &s.grains[j]; });',
-     'return &wall[l]; });'),
     (': Body<real>(grains[j]);', ': image(grains[j], bi.x);'),
     ('''      particle_tree.visit(box, [&](int j) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }''',
@@ -41,12 +39,12 @@ static void fail(Slab& b, int i,'''),
           if (j > i || j < b.first) near.push_back({grains[j].x + d, grains[j].reach(), j}); }); }); }'''),
     ('if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);',
      'if ((j > i || j < b.first) && is_shortest(g.x - x) && close(x, reach)) enlist(b, i, j);'),
-    ('for (Grain& g : grains) g.room = slack(norm(g.v));',
-     'for (Grain& g : grains) g.x = in_box(g.x), g.room = slack(norm(g.v));'),
+    ('for (Grain& g : grains) g.room =',
+     'for (Grain& g : grains) g.x = in_box(g.x), g.room ='),
     ('all[id[&g - &grains[0]]] = {g.x, g.R,', 'all[id[&g - &grains[0]]] = {in_box(g.x), g.R,'),
-    ('particle_tree.visit(Box::around(centre, R + excess), [&](int j) { check(grains[j]); });',
-     'each_shift([&](const Vec3& d) { particle_tree.visit(Box::around(centre - d, R + excess),\n'
-     '      [&](int j) { check(image(grains[j], centre)); }); });'),
-    ('j < size(); ++j) check(grains[j]);  // just spawned',
-     'j < size(); ++j) check(image(grains[j], centre));'),
+    ('check(j, grains[j], grains[j].room); };',
+     'check(j, image(grains[j], x), grains[j].room); };'),
+    ('particle_tree.visit(Box::around(x, R + far), check_grain);',
+     'each_shift([&](const Vec3& d) {\n'
+     '    particle_tree.visit(Box::around(x - d, R + far), check_grain); });'),
 ]

@@ -16,21 +16,19 @@ CHANGES = [
     Body<real> moved = j; if (periodic()) moved.x = x - rest(x - j.x, real(0.5));
     return moved; }
   real time() const {'''),
-    ('int k[block];  // places', 'int k[block]; Body<real> partner[block];  // places'),
+    ('int k[block]; const', 'int k[block]; Body<real> partner[block]; const'),
     (': s.grains[p.j];', ': partner[n] = s.beside(a.x, s.grains[p.j]);'),
-    ('return j < 0 ? &wall[l] : &s.grains[j]; });', 'return j < 0 ? &wall[l] : &partner[l]; });'),
     (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),
     ('      particle_tree.visit(box, [&](int j) {\n',
      '      if (periodic()) box = Box::around({}, inf);\n'
      '      particle_tree.visit(box, [&](int j) {\n'),
-    ('for (Grain& g : grains) g.room = slack(norm(g.v));',
-     'for (Grain& g : grains) g.x = rest(g.x, 0), g.room = slack(norm(g.v));'),
+    ('for (Grain& g : grains) g.room =',
+     'for (Grain& g : grains) g.x = rest(g.x, 0), g.room ='),
     ('moved.copy(l, g), g.f', 'moved.copy(l, g), g.x = s.rest(g.x, 0), g.f'),
-    ('particle_tree.visit(Box::around(centre, R + excess), [&](int j) { check(grains[j]); });',
-     'particle_tree.visit(Box::around(centre, periodic() ? inf : R + excess), [&](int j) {\n'
-     '    check(beside(centre, grains[j])); });'),
-    ('j < size(); ++j) check(grains[j]);  // just spawned',
-     'j < size(); ++j) check(beside(centre, grains[j]));  // just spawned'),
+    ('check(j, grains[j], grains[j].room); };',
+     'check(j, beside(x, grains[j]), grains[j].room); };'),
+    ('particle_tree.visit(Box::around(x, R + far), check_grain);',
+     'particle_tree.visit(Box::around(x, periodic() ? inf : R + far), check_grain);'),
 ]

@@ -18,9 +18,10 @@ positions, radii, velocities and step, the same normal and sliding law, and its 
 and twisting; its skin and `newton` are the best of those tried at each N. LAMMPS' time is its
 own "Loop time"."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
-#: Steps timed and steps before, so that a run takes about a second.
-STEPS = {1000: (2000, 200), 10_000: (400, 80), 100_000: (60, 10), 1_000_000: (100, 20),
-         3_000_000: (50, 10)}
+#: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
+#: packings need long warm-ups until it has found its value.
+STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (50, 150),
+         3_000_000: (25, 50)}
 
 
 def sizes(bench):
@@ -57,8 +58,7 @@ def prepare(bench, path):
 def tune(bench, lmp, data, box, start=None):
     """The best skin and `newton` of LAMMPS for a state, by short runs; start: a former result, of
     which only the next smaller and larger skins are tried."""
-    steps = {"steps": max(2, STEPS.get(box["N"], (40, 10))[0] // 4),
-             "warm": STEPS.get(box["N"], (40, 10))[1] // 2}
+    steps = {"steps": max(2, STEPS.get(box["N"], (40, 10))[0] // 4), "warm": 10}
     skins, switches = SKINS, ("off", "on")
     if start:
         k = SKINS.index(start["skin"])
@@ -86,7 +86,7 @@ def compare(bench, lmp, kind, n, best):
                 jobs[f"lammps{ranks}"] = lambda ranks=ranks: lmp.run(
                     data, MATERIAL, box, ranks=ranks, steps=steps, warm=warm, wrap=bench.wrap,
                     **best)
-    results = bench.interleave(jobs)
+    results = bench.interleave(jobs, min(bench.repeats, 3) if n > 100_000 else None)
     row = {"state": kind, "N": n, "settling": state["steps"], "unrest": state["unrest"],
            "steps": steps, **(best or {})}
     for key, result in results.items():
