@@ -5,6 +5,9 @@
 #include "tinydem.hpp"
 #include <map>
 extern "C" int omp_get_max_threads() noexcept;
+#ifdef __GLIBC__  // M_MMAP_THRESHOLD stays at 1 MB: the memory of large old lists is given back
+extern "C" int mallopt(int, int) noexcept; [[maybe_unused]] const int done = mallopt(-3, 1 << 20);
+#endif
 namespace tinydem {
 // ------------------------------------------------------------------------------ 1 parameters
 /// A parameter; type is the first letter of its type in the table.
@@ -136,8 +139,7 @@ template <class T> INLINE Vec<T> turn(const Vec<T>& u, const Vec<T>& n) {
   const Vec<T> flat = u - dot(u, n) * n;
   const T scale = sqrt(square(u) / square(flat));
   return select(square(flat) > 0, scale * flat, flat); }
-/// Stiffness, its inverse, damping and time step of a friction mode.
-template <class T> struct Mode { T k, k_inv, c, dt; };
+template <class T> struct Mode { T k, k_inv, c, dt; };  // stiffness, 1/k, damping, time step
 template <class T> INLINE Vec<T> along(T length, const Vec<T>& f) { return length / norm(f) * f; }
 template <class T> INLINE T along(T length, T f) { return f < 0 ? -length : length; }
 /// Force of a friction mode, at most `limit`; advances its spring. V: vector (s, r) or number (t).
@@ -150,8 +152,7 @@ template <class M, class T, class V> INLINE V friction(V& u, const V& v, Mode<T>
   const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
   u = select(slip, -(m.k_inv * rest), u);                                       // Eq. (55)
   return f; }
-/// Force on i (and its opposite on j), torque on i, torque on j.
-template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };
+template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };  // force on i, both torques
 /// The contact law. M says which friction modes the scene has.
 template <class M, class T>
 INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<T>& mat) {
@@ -295,8 +296,7 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
       if (orientation && c.angle2 > small_angle2)
         g.q = turned<true>(was.q, dt / 2 * was.w, dt / 4 * (g.w - was.w), side); }}
   b.failed = b.culprit >= 0; }
-typedef void Phase(Simulation&, Slab&);
-/// A phase of the step for each instruction set; the machine chooses when a run starts.
+typedef void Phase(Simulation&, Slab&);  // of a step, for each instruction set; chosen at the start
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)  // one is enough to check
 #define TINYDEM_FOR(set) template <Phase* phase> __attribute__((target(set))) void

@@ -7,7 +7,7 @@ from machinery import MATERIAL
 from parts.scaling import prepare, settled
 
 TITLE = "Memory"
-TEXT = """A fresh process loads the packing, runs some steps and builds two more lists. Peak:
+TEXT = """A fresh process loads the packing, runs 300 steps and builds two more lists. Peak:
 the most resident memory it ever had, less that of the process before it loaded anything, per
 particle. Resident: what it holds at the end. LAMMPS: the difference of the peaks of two
 packings over the difference in particles."""
@@ -32,7 +32,7 @@ def measure(bench, lmp):
         program = "bench_float" if change.pop("float", False) else "bench"
         if not os.access(bench.build / program, os.X_OK):
             continue
-        words = bench.words({**MATERIAL, **change, "steps": 10})
+        words = bench.words({**MATERIAL, **change, "steps": 20 if bench.smoke else 300})
         rows.append({"variant": name, "N": n,
                      **bench.call("memory", path, *words, program=program)})
     if lmp.here:

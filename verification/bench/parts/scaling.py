@@ -20,7 +20,7 @@ own "Loop time"."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
 #: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
 #: packings need long warm-ups until it has found its value.
-STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (50, 150),
+STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (30, 100),
          3_000_000: (25, 50)}
 
 
