@@ -385,7 +385,7 @@ void Simulation::sort_particles() {
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
   rooms = 0; for (Grain& g : grains) g.room = slack(norm(g.v)), rooms += g.room;
   for (Group& g : groups) g.slack = g.moves ? slack(g.speed) : 0;
-  const bool sort = count(particle_tree.order) != size() || rebuilds % 16 == 0;
+  const bool sort = particle_tree.order.empty() || rebuilds % 16 == 0;
   particle_tree.build(size(), [&](int i) { return grains[i].box(); }, sort);
   const auto permute = [&](auto& all) { const auto from = all;
     for (int i = 0; i < size(); ++i) all[i] = from[particle_tree.order[i]]; };
@@ -399,8 +399,8 @@ void Simulation::enlist(Slab& b, int i, int j) const {
   b.sorted = count(b.pairs); if (owner >= count(first_pair)) return;
   const Slab* s = &old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
   while (s->last <= owner) ++s;  // the last slab grows when particles are spawned
-  for (int k = first_pair[owner]; k < count(s->pairs); ++k) {
-    if (s->pairs[k].i != owner) k = max(k, s->sorted - 1);  // go on with what was spawned
+  const bool young = max(owner, partner) >= listed; int k = young ? s->sorted : first_pair[owner];
+  for (; k < count(s->pairs) && (young || s->pairs[k].i == owner); ++k) {
     if (s->pairs[k].i != owner || s->pairs[k].j != partner) continue;
     b.pairs.back().touching = s->pairs[k].touching; if (friction) b.springs.back() = s->springs[k];
     if (friction && mirrored) b.springs.back().us = -s->springs[k].us; }}
@@ -436,7 +436,7 @@ void Simulation::list_neighbours() {
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) find_pairs(slabs[k]);
 #pragma omp single
-  old.clear(), ++rebuilds, listed_at = steps, stale = false; }
+  old.clear(), ++rebuilds, listed_at = steps, listed = size(), stale = false; }
 /// One time step, by all threads of a team; false when the run became unstable.
 bool Simulation::step() { real excess = -1;
   for (const Slab& b : slabs) if (excess = max(excess, b.excess); b.failed) return false;
@@ -498,7 +498,7 @@ void Simulation::archive(std::fstream& file, bool loading) {
   const auto array = [&](auto& a) {
     size_t n = a.size(); bytes(&n, sizeof n), a.resize(n), bytes(a.data(), n * sizeof a[0]); };
   size_t n = slabs.size(); bytes(&n, sizeof n), slabs.resize(n), array(id), array(grains);
-  for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
+  for (long* a : {&steps, &rebuilds, &listed_at, &listed, &draws}) bytes(a, sizeof *a);
   for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
   for (Slab& b : slabs) bytes(&b.first, 3 * sizeof(int)), array(b.pairs), array(b.springs);
   std::uint64_t stored = sum; const std::uint64_t expected = sum; bytes(&stored, sizeof stored);

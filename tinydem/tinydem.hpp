@@ -342,7 +342,7 @@ struct Simulation {
   vector<Slab> slabs{1}, old{};  // old: before sorting
   vector<int> first_pair{};      // of each particle in old
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
-  long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // draws: random numbers used
+  long steps = 0, rebuilds = 0, listed_at = 0, listed = 0, draws = 0;  // random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 2, rooms = 0;  // drawn, not yet placed [L]; see sort_particles
   bool printed, friction, stale = true;  // --scheme paper; the list must be built

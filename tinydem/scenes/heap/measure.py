@@ -67,6 +67,7 @@ def main():
         ax[1].semilogy(log["t"], np.maximum(log["kinetic"] + log["rotational"], 1e-16),
                        color=color, label=name)
     ax[0].set_aspect("equal")
+    ax[0].locator_params(axis="x", nbins=6)
     result.label(ax[0], "x / m", "surface / m", "profile and fit")
     result.label(ax[1], "time / s", "kinetic energy / J", "grains come to rest")
     ax[1].legend(loc="lower left")
