@@ -342,9 +342,9 @@ struct Simulation {
   vector<Slab> slabs{1}, old{};  // old: before sorting
   vector<int> first_pair{};      // of each particle in old
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
-  long steps = 0, rebuilds = 0, listed_at = 0, listed = 0, draws = 0;  // random numbers used
+  long steps = 0, rebuilds = 0, listed_at = 0, listed = 0, draws = 0;  // listed: size() then
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
-  real spawn_radius = 0, horizon = 2, rooms = 0;  // drawn, not yet placed [L]; see sort_particles
+  real spawn_radius = 0, horizon = 2, rooms = 0;  // not yet placed; see sort_particles [L]
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
