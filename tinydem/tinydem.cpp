@@ -22,8 +22,7 @@ static string text(const Reals& values, int digits = 0) { string s;
   for (const real& a : values) { s += (&a == &values[0] ? "" : ",") + text(a, digits); } return s; }
 static string text(const Option& o) { return o.type == 's' ? o.as<string>() : text(o.numbers()); }
 /// Stores the text of a setting; false when it is malformed.
-static bool assign(const Option& o, const string& s) {
-  const auto words = split(o.range, '|');
+static bool assign(const Option& o, const string& s) { const auto words = split(o.range, '|');
   const bool known = words.size() == 1 || std::count(words.begin(), words.end(), s); Reals a;
   if (o.type == 's') return o.as<string>() = s, known;
   for (const string& word : split(s, ',')) if (a.push_back(0); !parse(word, a.back())) return false;
@@ -65,8 +64,7 @@ vector<Setting> read_scene(const string& path) { Reader in(path); vector<Setting
       s.text = (std::filesystem::path(path).parent_path() / s.text).string();
     for (const Setting& o : all)
       if (o.name == s.name) in.complain("'" + s.name + "' is repeated, it stands in " + o.where);
-    all.push_back(s); }
-  return in.problems.stop_if_any(), all; }
+    all.push_back(s); } return in.problems.stop_if_any(), all; }
 static real default_step(const Parameters& p) {
   return p.Rmin * sqrt(p.rho * (1 - p.nu * p.nu) / p.E); }                      // Eq. (50)
 Parameters resolve(const vector<Setting>& settings) {
@@ -75,8 +73,7 @@ Parameters resolve(const vector<Setting>& settings) {
     const char* shape = o.type == 'r' ? "a number in " : o.type == 'l' ? "an integer in "
         : o.type == 'R' ? "numbers in " : o.type == 's' ? "one of " : "three numbers (0,0,1) in ";
     problems.add(s.where, s.name + " = '" + s.text + "' must be " + shape + o.range); };
-  const vector<Option> table = options(p);
-  for (const Setting& s : settings) {
+  const vector<Option> table = options(p); for (const Setting& s : settings) {
     const auto off = [&](const Option& o) { return distance(o.name, s.name); };
     const Option& o = *std::min_element(table.begin(), table.end(),
                                         [&](auto& a, auto& b) { return off(a) < off(b); });
@@ -132,12 +129,10 @@ template <class T> INLINE Approach<T> approach(const Body<T>& i, const Body<T>& 
   const Vec<T> w = i.w - j.w;                                                   // Eq. (38)
   const T r = select(wall, c.ri, c.ri * c.rj * inverse);  // r_i + r_j = |d|
   c.vr = r * cross(w, c.n);                                                     // Eq. (36)
-  c.vt = c.Rstar * dot(w, c.n);                                                 // Eq. (37)
-  return c; }
+  c.vt = c.Rstar * dot(w, c.n); return c; }                                     // Eq. (37)
 /// Turns a spring into the tangent plane and keeps its length, Eq. (52).
 template <class T> INLINE Vec<T> turn(const Vec<T>& u, const Vec<T>& n) {
-  const Vec<T> flat = u - dot(u, n) * n;
-  const T scale = sqrt(square(u) / square(flat));
+  const Vec<T> flat = u - dot(u, n) * n; const T scale = sqrt(square(u) / square(flat));
   return select(square(flat) > 0, scale * flat, flat); }
 template <class T> struct Mode { T k, k_inv, c, dt; };  // stiffness, 1/k, damping, time step
 template <class T> INLINE Vec<T> along(T length, const Vec<T>& f) { return length / norm(f) * f; }
@@ -150,8 +145,7 @@ template <class M, class T, class V> INLINE V friction(V& u, const V& v, Mode<T>
   const bool slip = norm(f) > limit;                                            // Eqs. (11, 39, 40)
   f = select(slip, along(limit, f), f);                                         // Eq. (54)
   const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
-  u = select(slip, -(m.k_inv * rest), u);                                       // Eq. (55)
-  return f; }
+  u = select(slip, -(m.k_inv * rest), u); return f; }                           // Eq. (55)
 template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };  // force on i, both torques
 /// The contact law. M says which friction modes the scene has.
 template <class M, class T>
@@ -179,8 +173,7 @@ INLINE Loads<T> contact_law(const Approach<T>& c, Springs<T>& u, const Material<
   if constexpr (M::twisting) {
     const T ft = friction<M>(u.ut, c.vt, s, mat.mut * load);                    // Eq. (35)
     const Vec<T> tt = ft * c.Rstar * c.n;                                       // Eq. (33)
-    r.ti += tt, r.tj += -tt; }                                                  // Eq. (59)
-  return r; }
+    r.ti += tt, r.tj += -tt; } return r; }                                      // Eq. (59)
 // ------------------------------------------------------------------------------- 3 time step
 template <bool s, bool r, bool t, bool p = false> struct Modes {  // what is compiled in
   static constexpr bool sliding = s, rolling = r, twisting = t, printed = p, any = s || r || t; };
@@ -189,8 +182,11 @@ static void fail(Slab& b, int i, const char* s) { if (b.culprit < 0) b.culprit =
 /// the middle of the last step, Eqs. (44, 45); so is the velocity of the surface, where x was then.
 Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) const {
   const Element& e = mesh.elements[element]; const Group& g = groups[e.group];
-  if (!g.moves) return {closest_point(mesh, e, centre), p.Rmesh[e.group], {}, 0, {}, 0};
-  const Vec3 x = g.there(closest_point(mesh, e, g.back(centre)));
+  const Pane& f = panes[element]; const Vec3 c = g.moves ? g.back(centre) : centre, d = c - f.a;
+  const real s = dot(d, f.u), t = dot(d, f.v); const bool above = 0 < s && s < 1 && 0 < t && t < 1;
+  Vec3 x = above ? c - dot(d, f.n) * f.n : closest_point(mesh, e, c);
+  if (!g.moves) return {x, p.Rmesh[e.group], {}, 0, {}, 0};
+  x = g.there(x);
   return {x, p.Rmesh[e.group], g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
 /// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
 /// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
@@ -215,45 +211,52 @@ bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w,
 bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool touch) {
   Pair& at = b.pairs[k]; const Group& g = groups[mesh.elements[-1 - at.j].group]; int heir = -1;
   touch = touch && is_nearest(b, k, c, w, heir), at.touching = char(2 * (at.touching & 1) + touch);
-  if (!touch || !friction) return touch;
-  Springs<real>& u = b.springs[k];
-  if (at.touching == 1) u = heir < 0 ? Springs<real>{} : b.springs[heir];
+  if (!touch || !friction || (at.touching == 3 && !g.moves)) return touch;
+  if (at.touching == 3) { heir = k; } Springs<real> u{}; if (heir >= 0) u = b.history(heir);
   if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur);
-  return touch; }
+  return b.remember(k, u), touch; }
 struct Reaction { Vec3 f, ti, tj; real excess; }; struct Check { real way, room, spin2, angle2; };
-/// Forces in all contacts of a slab, a block at a time, added up in the order of the list.
+/// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
-  const Material<real> mat = s.material; Body<real> wall[block]; Walls walls;
-  int k[block]; const Body<real> *ai[block], *aj[block];  // places in the list, bodies
-  Block<Body<real>> bi, bj; Block<Springs<real>> springs; Block<Reaction> reactions; b.contacts = 0;
+  const Material<real> mat = s.material; Walls walls; b.contacts = 0;
+  int k[block]; Grain *ai[block], *aj[block], wall[block];  // places in the list, bodies
+  Grain *const grains = s.grains.data(), *const head = grains + b.first, *tail = grains + b.last;
+  const bool far = s.size() > 20000; Block<Body<real>> bi, bj; Block<Reaction> reactions;
   for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
-    for (; next < count(b.pairs) && n < block; ++next) {
-      const real* soon = &s.grains[max(b.pairs[min(next + 16, count(b.pairs) - 1)].j, 0)].x.x;
-      __builtin_prefetch(soon), __builtin_prefetch(soon + 8), __builtin_prefetch(soon + 16);
-      Pair& p = b.pairs[next]; const Body<real>& a = s.grains[p.i];
-      const Body<real>& c = p.j < 0 ? wall[n] = s.wall(-1 - p.j, a.x, a.v) : s.grains[p.j];
+    const bool held = next < b.held; const int place = held ? next / block : count(b.springs) - 1;
+    Block<Springs<real>>* const us = b.springs.data() + (M::any ? place : 0);
+    if (held) for (; n < block; ++n, ++next) {  // not asked: no force acts where they have parted
+      const Pair& p = b.pairs[next]; k[n] = next, ai[n] = &grains[p.i], aj[n] = &grains[p.j];
+      const Grain* soon = &grains[b.pairs[min(next + block, b.held - 1)].j];  // into the cache
+      if (far) __builtin_prefetch(soon), __builtin_prefetch(&soon->w), __builtin_prefetch(&soon->f);
+      if (far && M::any) __builtin_prefetch(us[1].c[0] + 8L * n); }
+    else for (; next < count(b.pairs) && n < block; ++next) {
+      Pair& p = b.pairs[next]; Grain &a = grains[p.i], &c = p.j < 0 ? wall[n] : grains[p.j];
+      if (p.j < 0) static_cast<Body<real>&>(c) = s.wall(-1 - p.j, a.x, a.v);
       const Vec3 d = a.x - c.x; bool touch = square(d) < square(a.R + c.R);     // Eq. (7)
       const real ahead = p.j < 0 ? dot(d, d + mat.dt * (a.v - c.v)) : 0;
       if (ahead < 0) fail(b, p.i, "passes through a mesh element");  // a fast wall may not touch it
       if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, walls, touch); }
-      else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs[next] = {}; }
+      else if (touch != p.touching) { p.touching = touch; if (M::any) b.remember(next, {}); }
       k[n] = next, ai[n] = &a, aj[n] = &c, n += touch; }
     bi.gather(n, [&](int l) { return ai[l]; }), bj.gather(n, [&](int l) { return aj[l]; });
-    if (M::any) springs.gather(n, [&](int l) { return &b.springs[k[l]]; });
+    if (M::any && !held) for (int l = 0; l < n; ++l) us->set(l, b.history(k[l]));
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
-      if (M::any) u = springs.get(l);
-      const Loads<real> r = contact_law<M>(c, u, mat);
-      reactions.set(l, {r.f, r.ti, r.tj, c.delta - c.R - mat.dt * c.vn});
-      if (M::any) springs.set(l, u); }
+      if (M::any) u = us->get(l);
+      const Loads<real> r = contact_law<M>(c, u, mat); const bool parted = c.delta < 0;
+      reactions.set(l, {r.f, r.ti, r.tj, parted ? -inf : c.delta - c.R - mat.dt * c.vn});
+      if (M::any) us->set(l, {select(parted, {}, u.us), select(parted, {}, u.ur),
+                              select(parted, {}, u.ut)}); }
     for (int l = 0; l < n; ++l) {
-      const auto [i, j, touching] = b.pairs[k[l]]; const Reaction r = reactions.get(l);
-      if (!(r.excess <= 0)) fail(b, i, j < 0 ? "passes through a mesh element"
-                                            : "overlaps another by more than a radius");
-      if (M::any) b.springs[k[l]] = springs.get(l);
-      s.grains[i].f += r.f; if (M::any) s.grains[i].t += r.ti;                  // Eqs. (1, 2)
-      if (j < b.first || j >= b.last) continue;  // a wall, or the other slab adds to j
-      s.grains[j].f += -r.f; if (M::any) s.grains[j].t += r.tj; }} }            // Eqs. (56, 57)
+      const Reaction r = reactions.get(l); if (r.excess == -inf) continue;
+      Grain &i = *ai[l], &j = *aj[l];
+      if (!(r.excess <= 0)) fail(b, int(&i - grains), j.R_inv > 0 ?
+          "overlaps another by more than a radius" : "passes through a mesh element");
+      if (M::any && !held) b.remember(k[l], us->get(l));
+      i.f += r.f; if (M::any) i.t += r.ti;                                      // Eqs. (1, 2)
+      if (&j < head || &j >= tail) continue;  // a wall, or the other slab adds to j
+      j.f += -r.f; if (M::any) j.t += r.tj; }} }                                // Eqs. (56, 57)
 /// p q for side = 1, q p for side = -1.
 INLINE Quaternion product(const Quaternion& p, const Quaternion& q, real side) {  // Eq. (49)
   return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)}; }
@@ -272,10 +275,10 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
 template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Rigid> moved; Block<Check> checks;
-  for (int first = b.first; first < b.last; first += block) {
-    const int n = min(block, b.last - first);
-    grains.gather(n, [&](int l) { return &s.grains[first + l]; });
+  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Body<real>> moved; Block<Quaternion> q;
+  for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
+    grains.gather(n, [&](int l) { return &s.grains[at + l]; }); Block<Check> checks;
+    if (orientation) q.gather(n, [&](int l) { return &s.turns[at + l]; });
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
       const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
@@ -284,17 +287,18 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
       const Vec3 v = g.v + dt * a;                                              // Eq. (44)
       const Vec3 x = g.x + dt * v;                                              // Eq. (45)
       const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
-      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; Quaternion q = g.q;
-      if constexpr (orientation) q = turned<false>(g.q, h, k, side);
+      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha;
+      if constexpr (orientation) q.set(l, turned<false>(q.get(l), h, k, side));
       const real way = norm(dt * v), angle2 = square(h) + square(k);
-      moved.set(l, {{x, g.R, v, g.m_inv, w, g.R_inv}, q});
+      moved.set(l, {x, g.R, v, g.m_inv, w, g.R_inv});
       checks.set(l, {way, g.room - way, square(w), angle2}); }
-    for (int l = 0; l < n; ++l) { auto c = checks.get(l); Grain &g = s.grains[first + l], was = g;
-      if (!(c.way <= g.R)) fail(b, first + l, "moved more than its radius in one step");
-      if (!(c.spin2 < inf)) fail(b, first + l, "spins too fast for a finite energy");
+    for (int l = 0; l < n; ++l) { const auto c = checks.get(l); Grain& g = s.grains[at + l];
+      if (!(c.way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
+      if (!(c.spin2 < inf)) fail(b, at + l, "spins too fast for a finite energy");
+      const Vec3 w = g.w; Quaternion& turn = s.turns[at + l];
       moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room, b.excess = max(b.excess, -c.room);
-      if (orientation && c.angle2 > small_angle2)
-        g.q = turned<true>(was.q, dt / 2 * was.w, dt / 4 * (g.w - was.w), side); }}
+      if (orientation && c.angle2 <= small_angle2) q.copy(l, turn);
+      else if (orientation) turn = turned<true>(turn, dt / 2 * w, dt / 4 * (g.w - w), side); }}
   b.failed = b.culprit >= 0; }
 typedef void Phase(Simulation&, Slab&);  // of a step, for each instruction set; chosen at the start
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
@@ -319,8 +323,7 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
                 : best_forces<0, 0, 0>();
   groups.resize(p.Rmesh.size()), read_motion(p, groups);
   sort_elements(); for (const Particle& particle : initial) add(particle);
-  list_neighbours(); Problems problems; real elastic = 0;
-  each_contact([&](const Contact& c) {
+  list_neighbours(); Problems problems; real elastic = 0; each_contact([&](const Contact& c) {
     if (elastic += c.energy; !(c.delta <= c.R))
       problems.add("particle " + to_string(c.i + 1), "overlaps " +
           (c.j < 0 ? "mesh element " + to_string(c.element) : "particle " + to_string(c.j + 1)) +
@@ -329,6 +332,9 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
     problems.add("particles", "have no finite energy; slow them down");
   problems.stop_if_any(); }
 void Simulation::sort_elements() {
+  for (const Element& e : mesh.elements) { panes.push_back({}); if (e.n < 4) continue;
+    const Vec3 o = mesh.corner(e, 0), u = mesh.corner(e, 1) - o, v = mesh.corner(e, 3) - o;
+    panes.back() = {o, 1 / square(u) * u, 1 / square(v) * v, 1 / norm(cross(u, v)) * cross(u, v)}; }
   for (int group = 0; group < count(groups); ++group) {
     Group& g = groups[group]; vector<int> all; vector<Box> boxes; real far = 0;
     for (const Element& e : mesh.elements) if (e.group == group) {
@@ -340,15 +346,14 @@ void Simulation::sort_elements() {
     for (int& k : g.tree.order) k = all[k];
     g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
     g.step = rotation<true>(p.dt / 2 * g.W); } move_mesh(); }
-void Simulation::move_mesh() {
-  for (Group& g : groups) if (g.moves) {
+void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     const real angle = 2 * pi * g.F * time() + g.phase;
     g.shift = (std::sin(angle) - std::sin(g.phase)) * g.A + time() * g.V;
     g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
     g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
-  const Quaternion q{a.q[0], {a.q[1], a.q[2], a.q[3]}};
-  grains.push_back({{{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, q}, {}, {}, 0});
+  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, {}, 0});
+  turns.push_back({a.q[0], {a.q[1], a.q[2], a.q[3]}});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
   id.push_back(count(id)); }
 /// Is a sphere free? `near`: what it may touch before it has gone that `way`.
@@ -376,7 +381,7 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin; const real way = sl
       const bool home = b.first <= j && j < b.last;
       if (home || &b == &slabs.back()) b.pairs.push_back(home ? Pair{j, i, 0} : Pair{i, j, 0}); }
     stale = stale || size() > count(particle_tree.order) + 100; }  // is_free asks them one by one
-  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() : 0); }
+  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() / block + 2 : 0); }
 /// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
   const double build = 70 / double(1 + 2 * rooms / (rooms + radii));  // in idle pairs per particle
@@ -389,45 +394,45 @@ void Simulation::sort_particles() {
   particle_tree.build(size(), [&](int i) { return grains[i].box(); }, sort);
   const auto permute = [&](auto& all) { const auto from = all;
     for (int i = 0; i < size(); ++i) all[i] = from[particle_tree.order[i]]; };
-  if (sort) permute(grains), permute(id); }
-/// Appends a pair to a slab, with the springs that it had before the particles were sorted.
-void Simulation::enlist(Slab& b, int i, int j) const {
-  const int was_i = particle_tree.order[i], was_j = j < 0 ? j : particle_tree.order[j];
+  if (sort) permute(grains), permute(turns), permute(id); }
+/// Gives a pair the springs that it had before the particles were sorted.
+void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
+  const int was_i = particle_tree.order[a.i], was_j = a.j < 0 ? a.j : particle_tree.order[a.j];
   const bool mirrored = 0 <= was_j && was_j < was_i;  // a pair always stands with its lower index
   const int owner = mirrored ? was_j : was_i, partner = mirrored ? was_i : was_j;
-  b.pairs.push_back({i, j, false}), b.springs.resize(friction ? b.pairs.size() : 0);
-  b.sorted = count(b.pairs); if (owner >= count(first_pair)) return;
-  const Slab* s = &old[(long(owner + 1) * count(old) - 1) / count(first_pair)];
+  if (owner >= count(last_pair)) return;
+  const Slab* s = &old[(long(owner + 1) * count(old) - 1) / count(last_pair)];
   while (s->last <= owner) ++s;  // the last slab grows when particles are spawned
-  const bool young = max(owner, partner) >= listed; int k = young ? s->sorted : first_pair[owner];
-  for (; k < count(s->pairs) && (young || s->pairs[k].i == owner); ++k) {
-    if (s->pairs[k].i != owner || s->pairs[k].j != partner) continue;
-    b.pairs.back().touching = s->pairs[k].touching; if (friction) b.springs.back() = s->springs[k];
-    if (friction && mirrored) b.springs.back().us = -s->springs[k].us; }}
+  for (int l = last_pair[owner]; l >= 0; l = s->pairs[l].i) if (s->pairs[l].j == partner) {
+    a.touching = a.j < 0 ? s->pairs[l].touching : 1; if (!friction) return;
+    Springs<real> u = s->history(l); if (mirrored) u.us = -u.us; b.remember(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
-  struct Candidate { Vec3 x; real reach; int j; }; vector<Candidate> near;
-  double n = 9; for (const Slab& s : old) n += (b.last - b.first) / (size() + 1.0) * count(s.pairs);
-  b.pairs.reserve(size_t(1.2 * n)), b.springs.reserve(friction ? size_t(1.2 * n) : 0);
+  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> apart, walls;
   for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
-    if (i == last) {  // neighbours search together
-      Box box; near.clear(), last = min(i + 8, b.last);
+    if (i == last) { Box box; near.clear(), last = min(i + 8, b.last);  // search together
       for (int k = i; k < last; ++k) box.add(grains[k].box());
       particle_tree.visit(box, [&](int j) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }
     for (const auto& [x, reach, j] : near)  // in a slab each pair once
-      if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);
+      if ((j > i || j < b.first) && close(x, reach))
+        (square(g.x - x) < square(g.R + grains[j].R) ? b.pairs : apart).push_back({i, j, 0});
     for (const Group& w : groups)
       w.tree.visit(Box::around(w.back(g.x), g.reach() + w.slack), [&](int k) {
         const Body<real> j = wall(w.tree.order[k], g.x);
-        if (close(j.x, j.R + w.slack)) enlist(b, i, -1 - w.tree.order[k]); }); }}
+        if (close(j.x, j.R + w.slack)) walls.push_back({i, -1 - w.tree.order[k], 0}); }); }
+  const int touch = count(b.pairs), idle = count(apart); b.held = touch / block * block;
+  for (const auto* a : {&apart, &walls}) b.pairs.insert(b.pairs.end(), a->begin(), a->end());
+  b.springs.resize(friction ? b.pairs.size() / block + 2 : 0);
+  for (int k = 0; k < count(b.pairs); ++k) if (k < touch || k >= touch + idle) recall(b, k); }
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {
 #pragma omp barrier
 #pragma omp single
-  { first_pair.assign(size_t(slabs.back().last), 0);
-    for (const Slab& b : slabs) for (int k = count(b.pairs); k-- > 0;) first_pair[b.pairs[k].i] = k;
+  { last_pair.assign(size_t(slabs.back().last), -1);  // pairs that may have springs become chains
+    for (Slab& b : slabs) for (int k = 0; k < count(b.pairs); ++k)
+      if (Pair& a = b.pairs[k]; k < b.held || a.touching) a.i = std::exchange(last_pair[a.i], k);
     sort_particles(), old.swap(slabs);
     const double halvings = std::log2(max(size(), 1) / 125.0) / 3;  // slabs end as boxes do
     slabs.assign(size_t(1) << std::clamp(int(halvings), 0, 6), Slab());
@@ -436,7 +441,7 @@ void Simulation::list_neighbours() {
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) find_pairs(slabs[k]);
 #pragma omp single
-  old.clear(), ++rebuilds, listed_at = steps, listed = size(), stale = false; }
+  old.clear(), ++rebuilds, listed_at = steps, stale = false; }
 /// One time step, by all threads of a team; false when the run became unstable.
 bool Simulation::step() { real excess = -1;
   for (const Slab& b : slabs) if (excess = max(excess, b.excess); b.failed) return false;
@@ -460,18 +465,18 @@ void Simulation::run(long n) {
                      text(time()) + "; try a smaller --dt (now " + text(p.dt) +
                      "), a larger --E or thicker mesh elements"); }
 vector<Particle> Simulation::particles() const {
-  vector<Particle> all(grains.size()); for (const Grain& g : grains)
-    all[id[&g - &grains[0]]] = {g.x, g.R, g.v, {g.q.s, g.q.v.x, g.q.v.y, g.q.v.z}, g.w};
-  return all; }
+  vector<Particle> all(grains.size()); for (int i = 0; i < size(); ++i) {
+    const Grain& g = grains[i]; const auto& [s, v] = turns[i];
+    all[id[i]] = {g.x, g.R, g.v, {s, v.x, v.y, v.z}, g.w}; } return all; }
 template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
   for (const Slab& b : slabs) { Walls walls; for (int k = 0; k < count(b.pairs); ++k) {
-    const auto [i, j, touching] = b.pairs[k];
-    if (0 <= j && j < i) continue;  // one half of those across slabs
+    const auto [i, j, touching] = b.pairs[k]; if (0 <= j && j < i) continue;  // across slabs: once
     const Body<real> bi = grains[i], bj = j < 0 ? wall(-1 - j, bi.x, bi.v) : Body<real>(grains[j]);
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
     int heir = -1; if (j < 0 && !is_nearest(b, k, bj, walls, heir)) continue;
-    Springs<real> u{}; if (touching & 1) heir = k; if (friction && heir >= 0) u = b.springs[heir];
+    Springs<real> u{}; if (touching & 1 || k < b.held) heir = k;
+    if (friction && heir >= 0) u = b.history(heir);
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
@@ -479,8 +484,7 @@ template <class F> void Simulation::each_contact(const F& found) const {
                   r.fn, r.f - r.fn, u.us, u.ur, u.ut, energy}); }} }
 vector<Contact> Simulation::contacts() const { vector<Contact> all;
   return each_contact([&](const Contact& c) { all.push_back(c); }), all; }
-Summary Simulation::summary() const { Summary s;
-  for (const Grain& g : grains) {
+Summary Simulation::summary() const { Summary s; for (const Grain& g : grains) {
     const real m = 1 / g.m_inv; s.kinetic += m / 2 * square(g.v), s.potential -= m * dot(p.g, g.x);
     s.rotational += m / 5 * square(g.R) * square(g.w); }
   real shortest = inf;  // An elastic collision lasts 2.943 delta/v, with m* v^2/2 = 2/5 kn delta^2
@@ -498,8 +502,8 @@ void Simulation::archive(std::fstream& file, bool loading) {
   const auto array = [&](auto& a) {
     size_t n = a.size(); bytes(&n, sizeof n), a.resize(n), bytes(a.data(), n * sizeof a[0]); };
   size_t n = slabs.size(); bytes(&n, sizeof n), slabs.resize(n), array(id), array(grains);
-  for (long* a : {&steps, &rebuilds, &listed_at, &listed, &draws}) bytes(a, sizeof *a);
-  for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
+  for (long* a : {&steps, &rebuilds, &listed_at, &draws}) bytes(a, sizeof *a);
+  array(turns); for (real* a : {&supplied, &radii, &spawn_radius, &horizon}) bytes(a, sizeof *a);
   for (Slab& b : slabs) bytes(&b.first, 3 * sizeof(int)), array(b.pairs), array(b.springs);
   std::uint64_t stored = sum; const std::uint64_t expected = sum; bytes(&stored, sizeof stored);
   if (stored != expected) throw InputError("restart.bin is damaged; use --overwrite");
@@ -529,8 +533,7 @@ template <class F> static void write(const fs::path& path, const F& fill) {
 static Summary write_frame(Simulation& s, long frame, double speed) {
   const fs::path folder = s.p.output;
   const string number = to_string(1000000 + frame).substr(1) + ".csv";
-  write(folder / ("particles" + number), [&](auto& file) {
-    file << csv_header << "\n";
+  write(folder / ("particles" + number), [&](auto& file) { file << csv_header << "\n";
     for (const Particle& a : s.particles())
       file << text(Reals(&a.x.x, &a.w.z + 1), std::numeric_limits<real>::max_digits10) << "\n"; });
   if (s.p.contacts == "on") write(folder / ("contacts" + number), [&](auto& file) {
@@ -575,8 +578,7 @@ static void open_folder(Parameters p, bool overwrite) {
       if (std::ifstream from(*path); !fs::equivalent(*path, folder / name, error))
         write(folder / name, [&](auto& file) { file << from.rdbuf(); });
       *path = name; }
-  for (const auto& f : old) fs::remove(f);
-  write(folder / "scene.ini", [&](auto& ini) {
+  for (const auto& f : old) { fs::remove(f); } write(folder / "scene.ini", [&](auto& ini) {
     ini << "# TinyDEM " << version << ": tinydem --scene scene.ini repeats the run bit for bit\n";
     for (const Option& o : options(p))
       if (o.at != &p.output && !text(o).empty()) ini << o.name << " = " << text(o) << "\n"; }); }
@@ -590,8 +592,7 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
   flag("--overwrite", c.overwrite, "replace the run in the output directory")
       ->excludes(flag("--resume", c.resume, "go on with the run in the output directory"));
   flag("--quiet", c.quiet, "no lines on the standard output");
-  for (const Option& o : options(defaults)) {
-    const string name = o.name;
+  for (const Option& o : options(defaults)) { const string name = o.name;
     const string value = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : text(o);
     const string help = string(o.help) + " [" + o.dimension + "], " + o.range + ", default ";
     const string dashes = string(o.range) == "path" ? "" : "--";
@@ -599,16 +600,14 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
       if (!s.empty() || !dashes.empty()) c.settings.push_back({name, s, "command line"}); };
     if (name == "contacts") app.add_flag_callback("--contacts", [store] { store("on"); }, o.help);
     else app.add_option_function<string>(dashes + name, store, help + value)->type_name(""); }
-  app.allow_extras();
-  try { app.parse(argc, argv); } catch (const CLI::ParseError& e) {
+  app.allow_extras(); try { app.parse(argc, argv); } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) std::exit(app.exit(e));
     throw InputError(string("command line: ") + e.what() + "; see --help"); }
   bool unknown = false;  // what follows an unknown option is its value
   for (const string& a : app.remaining()) {
     const size_t from = min(a.find_first_not_of('-'), a.size()), to = a.find(from < 2 ? '\0' : '=');
     if (!unknown || from > 0) c.settings.push_back({a.substr(from, to - from), "", "command line"});
-    unknown = from > 0; }
-  return c; }
+    unknown = from > 0; } return c; }
 static void run(const Command& command) { const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
     all.insert(all.end(), command.settings.begin(), command.settings.end()); return resolve(all); };

@@ -34,8 +34,7 @@ template <class T> struct vector : std::vector<T> { using std::vector<T>::vector
   vector(const std::vector<T>& v) : std::vector<T>(v) {}
   template <class I> T& operator[](I i) { return this->data()[i]; }
   template <class I> const T& operator[](I i) const { return this->data()[i]; } };
-template <class V> int count(const V& v) { return int(v.size()); }
-typedef vector<real> Reals;
+template <class V> int count(const V& v) { return int(v.size()); } typedef vector<real> Reals;
 // ---------------------------------------------------------------------------------- numbers
 template <class T> INLINE T sqrt(T a) {
   return sizeof a == 4 ? T(sqrtf(float(a))) : sizeof a == 8 ? T(::sqrt(double(a))) : std::sqrt(a); }
@@ -51,9 +50,11 @@ template <class T> struct Vec { T x{}, y{}, z{};
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
   INLINE friend T square(const Vec& a) { return dot(a, a); }
   INLINE friend T norm(const Vec& a) { return sqrt(dot(a, a)); } };
-typedef Vec<real> Vec3;
-template <class T> INLINE T norm(T a) { return abs(a); }
+typedef Vec<real> Vec3; template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
+typedef std::conditional_t<sizeof(real) == 4, float, double> Lane;
+typedef Lane Two __attribute__((vector_size(2 * sizeof(Lane)), aligned(sizeof(Lane)), may_alias));
+typedef Lane Four __attribute__((vector_size(4 * sizeof(Lane)), may_alias));
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
 /// nothing but arithmetic and `condition ? a : b` becomes vector instructions (whole ones: padded).
 constexpr int block = 32; constexpr int padded(int n) { return (n + 7) / 8 * 8; }
@@ -68,11 +69,19 @@ template <class S> struct alignas(64) Block {
     for (int k = 0; k < size; ++k) c[k][l] = reinterpret_cast<const real*>(&s)[k]; }
   /// Collects *at(0) ... *at(n - 1), four at a time; at(0) fills up the last instruction.
   template <class F> INLINE void gather(int n, const F& at) {
-    for (int l = 0; l < padded(n); l += 4) {
-      const real* r[4];
+    for (int l = 0; l < padded(n); l += 4) { const real* r[4]; int k = 0;
       for (int m = 0; m < 4; ++m) r[m] = reinterpret_cast<const real*>(at(l + m < n ? l + m : 0));
+#if __has_builtin(__builtin_shufflevector) && !defined(__clang_analyzer__)  // two at a time
+      const auto two = [&](int m) { return *reinterpret_cast<const Two*>(r[m] + k); };
 #pragma GCC unroll 64
-      for (int k = 0; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
+      for (; k < size - 1 && sizeof(real) <= 8; k += 2) {
+        const auto a = __builtin_shufflevector(two(0), two(2), 0, 1, 2, 3);
+        const auto b = __builtin_shufflevector(two(1), two(3), 0, 1, 2, 3);
+        reinterpret_cast<Four&>(c[k][l]) = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+        reinterpret_cast<Four&>(c[k + 1][l]) = __builtin_shufflevector(a, b, 1, 5, 3, 7); }
+#endif
+#pragma GCC unroll 64
+      for (; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
 // ------------------------------------------------------------------------------- parameters
 /// Table 2 and the options of a run, a line each for all uses: name, type, default, dimension, ...
 #define TINYDEM_PARAMETERS(X)                                                                      \
@@ -115,8 +124,7 @@ struct Setting { string name, text, where; };
 struct InputError : std::runtime_error { using std::runtime_error::runtime_error; };
 struct RunError : std::runtime_error { using std::runtime_error::runtime_error; };
 /// Collects mistakes, so that they are reported together.
-struct Problems { string all{}; int count = 0;
-  void add(const string& at, string what) {
+struct Problems { string all{}; int count = 0; void add(const string& at, string what) {
     for (char& c : what) if (c >= 0 && c < ' ') c = '?';
     if (what.size() > 240) what.replace(100, what.size() - 220, " ... ");
     if (++count <= 20) all += "\n" + at + ": " + what; }
@@ -185,8 +193,7 @@ inline vector<Particle> read_particles(const string& path) { Reader in(path); in
     if (!(a.R > 0)) in.complain("R = " + text(a.R) + " must be > 0");
     const real q = sqrt(square(a.q[0]) + square(a.q[1]) + square(a.q[2]) + square(a.q[3]));
     if (!(abs(q - 1) < real(1e-3))) in.complain("q0 ... q3 must have norm 1, not " + text(q));
-    particles.push_back(a); }
-  return in.problems.stop_if_any(), particles; }
+    particles.push_back(a); } return in.problems.stop_if_any(), particles; }
 /// A point, an edge, a triangle or a rectangle (n = 1 ... 4 vertices) of radius Rmesh[group].
 struct Element { int n, vertex[4], group; };
 struct Mesh { vector<Vec3> vertices{}; vector<Element> elements{};
@@ -231,19 +238,15 @@ inline Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, con
   if (square(n) > flat && inside(a, b) && inside(b, c) && inside(c, a))
     return p - dot(p - a, n) / square(n) * n;
   Vec3 best = closest_on_edge(p, a, b);
-  for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)})
-    if (square(p - q) < square(p - best)) best = q;
-  return best; }
-/// The same for any mesh element; the sides of a rectangle are independent, most points inside.
+  for (const Vec3& q : {closest_on_edge(p, b, c), closest_on_edge(p, c, a)}) {
+    if (square(p - q) < square(p - best)) best = q; } return best; }
+/// The same for any mesh element; the sides of a rectangle are independent.
 inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
   const Vec3& a = m.corner(e, 0); if (e.n == 1) return a;
   if (e.n == 3) return closest_on_triangle(p, a, m.corner(e, 1), m.corner(e, 2));
-  const Vec3 ab = m.corner(e, 1) - a, ad = m.corner(e, e.n - 1) - a, n = cross(ab, ad), d = p - a;
-  const real u = dot(d, ab), v = dot(d, ad);
-  if (e.n == 4 && 0 < u && u < square(ab) && 0 < v && v < square(ad))
-    return p - dot(d, n) / square(n) * n;
   const Vec3 q = closest_on_edge(p, a, m.corner(e, 1));
-  return e.n == 2 ? q : closest_on_edge(p, q, q + ad); }
+  return e.n == 2 ? q : closest_on_edge(p, q, q + m.corner(e, 3) - a); }
+struct Pane { Vec3 a{}, u{}, v{}, n{}; };  // a rectangle: corner, sides / square, unit normal
 struct Box { Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
   void add(const Box& b) {
@@ -258,9 +261,8 @@ struct Tree { static constexpr int leaf = 4; vector<int> order{};
   vector<Box> boxes{};  // box k holds boxes 2k and 2k + 1
   /// Without sorting, the things keep their order: right as well, and fast enough for small moves.
   template <class F> void build(int things, const F& box_of, bool sort = true) {
-    int n = 1; while (n * leaf < things) n *= 2;
-    boxes.assign(2 * size_t(n), Box()), order.resize(size_t(things));
-    for (int i = 0; i < things; ++i) order[i] = i;
+    int n = 1; while (n * leaf < things) { n *= 2; } order.resize(size_t(things));
+    boxes.assign(2 * size_t(n), Box()); for (int i = 0; i < things; ++i) order[i] = i;
 #pragma omp taskgroup
     halve(box_of, sort, 1, 0, things); }
   template <class F> void halve(const F& box_of, bool sort, int k, int first, int last) {
@@ -295,8 +297,7 @@ struct Quaternion { real s = 1; Vec3 v{}; };
 inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
 /// A particle of the solver: also force, torque, the way that it may go with the list as it is.
-struct Rigid : Body<real> { Quaternion q; };
-struct Grain : Rigid { Vec3 f, t; real room; real reach() const { return R + room; }
+struct Grain : Body<real> { Vec3 f, t; real room = 0; real reach() const { return R + room; }
   Box box() const { return Box::around(x, reach()); } };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
 struct Pair { int i, j; char touching; };  // bit 0: now; bit 1, of a mesh element: a step before
@@ -311,13 +312,13 @@ struct Group { Tree tree{}; bool moves = false;
   Vec3 there(const Vec3& x) const { return P + rotated(q, x - P) + shift; } };
 /// Consecutive particles that one thread looks after. How many slabs there are follows from N
 /// alone and every sum has a fixed order: the same bits for every number of threads.
-struct Slab { int first = 0, last = 0, sorted = 0;  // pairs are sorted up to there
-  vector<Pair> pairs{};             // by i; a pair of particles of two slabs stands in both
-  vector<Springs<real>> springs{};  // of each pair, if the scene has friction
-  long contacts = 0;                // in the last step
-  real excess = -1;                 // how far a particle is out of the sphere that was listed [L]
-  int culprit = -1;                 // particle at which the run became unstable
-  const char* reason = ""; bool failed = false; };
+struct Slab { int first = 0, last = 0, held = 0;  // so many pairs touched when they were listed
+  vector<Pair> pairs{};  // these, apart, with the mesh, spawned; a pair of two slabs is in both
+  vector<Block<Springs<real>>> springs{};  // of each pair, if the scene has friction; one to spare
+  Springs<real> history(int k) const { return springs[k / block].get(k % block); }
+  void remember(int k, const Springs<real>& u) { springs[k / block].set(k % block, u); }
+  long contacts = 0; real excess = -1;  // in the last step; way out of the sphere of the list [L]
+  int culprit = -1; const char* reason = ""; bool failed = false; };  // an unstable particle
 struct Walls { int i = -1, first = 0; vector<Vec3> points{}; };  // near i, pairs from first on
 /// A contact of particles i and j, or of i and a mesh element; the other one is -1.
 struct Contact { int i, j, element;
@@ -337,12 +338,12 @@ struct Simulation {
   template <class F> void each_contact(const F& found) const; Summary summary() const;
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
   int size() const { return count(grains); } real time() const { return real(steps) * p.dt; }
-  Parameters p; Mesh mesh; vector<Grain> grains{};  // sorted: near in space, near in memory
-  vector<int> id{};              // place in the order of creation
+  Parameters p; Mesh mesh; vector<Pane> panes{};        // of each mesh element
+  vector<Grain> grains{}; vector<Quaternion> turns{};     // sorted: near in space, near in memory
+  vector<int> id{}, last_pair{};  // place in the order of creation; of a particle in old
   vector<Slab> slabs{1}, old{};  // old: before sorting
-  vector<int> first_pair{};      // of each particle in old
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
-  long steps = 0, rebuilds = 0, listed_at = 0, listed = 0, draws = 0;  // listed: size() then
+  long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 2, rooms = 0;  // not yet placed; see sort_particles [L]
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
@@ -352,7 +353,7 @@ struct Simulation {
   void sort_elements(), move_mesh(), sort_particles(), find_pairs(Slab& b), spawn();
   bool is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const;
   bool touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool touch);
-  void add(const Particle& a), enlist(Slab& b, int i, int j) const;
+  void add(const Particle& a), recall(Slab& b, int k) const;
   real slack(real v) const { return horizon * (radii / real(size() + 1) / 50 + 10 * p.dt * v); }
   bool is_free(const Vec3& x, real R, real way, vector<int>& near) const;
   Body<real> wall(int element, const Vec3& centre, const Vec3& v = {}) const; };

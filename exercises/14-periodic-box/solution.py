@@ -30,18 +30,25 @@ template <class F> void Simulation::each_shift(const F& use) const {
   for (int i = -a; i <= a; ++i) for (int j = -b; j <= b; ++j) for (int k = -c; k <= c; ++k)
     use(Vec3{real(i) * L.x, real(j) * L.y, real(k) * L.z}); }
 static void fail(Slab& b, int i,'''),
-    (': s.grains[p.j];', ': wall[n] = s.image(s.grains[p.j], a.x);'),
+    ('aj[n] = &grains[p.j];',
+     'aj[n] = &wall[n];\n'
+     '      static_cast<Body<real>&>(wall[n]) = s.image(grains[p.j], ai[n]->x);'),
+    ('&c = p.j < 0 ? wall[n] : grains[p.j];', '&c = wall[n];'),
+    ('if (p.j < 0) static_cast<Body<real>&>(c) = s.wall(-1 - p.j, a.x, a.v);',
+     'static_cast<Body<real>&>(c) = p.j < 0 ? s.wall(-1 - p.j, a.x, a.v)\n'
+     '                                           : s.image(grains[p.j], a.x);'),
+    ('&j = *aj[l];', '&j = b.pairs[k[l]].j < 0 ? *aj[l] : grains[b.pairs[k[l]].j];'),
     (': Body<real>(grains[j]);', ': image(grains[j], bi.x);'),
     ('''      particle_tree.visit(box, [&](int j) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }''',
      '''      each_shift([&](const Vec3& d) {
         particle_tree.visit({box.low - d, box.high - d}, [&](int j) {
           if (j > i || j < b.first) near.push_back({grains[j].x + d, grains[j].reach(), j}); }); }); }'''),
-    ('if ((j > i || j < b.first) && close(x, reach)) enlist(b, i, j);',
-     'if ((j > i || j < b.first) && is_shortest(g.x - x) && close(x, reach)) enlist(b, i, j);'),
+    ('if ((j > i || j < b.first) && close(x, reach))',
+     'if ((j > i || j < b.first) && is_shortest(g.x - x) && close(x, reach))'),
     ('for (Grain& g : grains) g.room =',
      'for (Grain& g : grains) g.x = in_box(g.x), g.room ='),
-    ('all[id[&g - &grains[0]]] = {g.x, g.R,', 'all[id[&g - &grains[0]]] = {in_box(g.x), g.R,'),
+    ('all[id[i]] = {g.x, g.R,', 'all[id[i]] = {in_box(g.x), g.R,'),
     ('check(j, grains[j], grains[j].room); };',
      'check(j, image(grains[j], x), grains[j].room); };'),
     ('particle_tree.visit(Box::around(x, R + far), check_grain);',

@@ -16,8 +16,16 @@ CHANGES = [
     Body<real> moved = j; if (periodic()) moved.x = x - rest(x - j.x, real(0.5));
     return moved; }
   real time() const {'''),
-    ('int k[block]; const', 'int k[block]; Body<real> partner[block]; const'),
-    (': s.grains[p.j];', ': partner[n] = s.beside(a.x, s.grains[p.j]);'),
+    ('int k[block]; Grain', 'int k[block]; Grain partner[block]; Grain'),
+    ('aj[n] = &grains[p.j];', 'aj[n] = &partner[n], partner[n] = grains[p.j];\n'
+     '      static_cast<Body<real>&>(partner[n]) = s.beside(ai[n]->x, grains[p.j]);'),
+    ('&c = p.j < 0 ? wall[n] : grains[p.j];', '&c = p.j < 0 ? wall[n] : partner[n];'),
+    ('if (p.j < 0) static_cast<Body<real>&>(c) =',
+     'if (p.j >= 0) static_cast<Body<real>&>(c) = s.beside(a.x, grains[p.j]);\n'
+     '      if (p.j < 0) static_cast<Body<real>&>(c) ='),
+    ('&j = *aj[l];', '&j = b.pairs[k[l]].j < 0 ? *aj[l] : grains[b.pairs[k[l]].j];'),
+    ('(square(g.x - x) < square(g.R + grains[j].R) ?',
+     '(square(rest(g.x - x, real(0.5))) < square(g.R + grains[j].R) ?'),
     (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),

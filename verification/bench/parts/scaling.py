@@ -20,7 +20,7 @@ own "Loop time"."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
 #: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
 #: packings need long warm-ups until it has found its value.
-STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (30, 100),
+STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (60, 100),
          3_000_000: (25, 50)}
 
 
@@ -37,7 +37,7 @@ def settled(bench, kind, n):
     if n < 100_000:
         return bench.state(kind, n)
     block = settled(bench, kind, 10_000 if n == 100_000 else 100_000)
-    return bench.state(kind, n, most=5000 if n == 100_000 else 1500, block=block)
+    return bench.state(kind, n, most=5000 if n == 100_000 else 8000, block=block)
 
 
 def geometry(state):
