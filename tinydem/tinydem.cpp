@@ -408,7 +408,7 @@ void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
     Springs<real> u = s->history(l); if (mirrored) u.us = -u.us; b.remember(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
-  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> apart, walls;
+  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];
   for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) { Box box; near.clear(), last = min(i + 8, b.last);  // search together
@@ -417,15 +417,15 @@ void Simulation::find_pairs(Slab& b) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }
     for (const auto& [x, reach, j] : near)  // in a slab each pair once
       if ((j > i || j < b.first) && close(x, reach))
-        (square(g.x - x) < square(g.R + grains[j].R) ? b.pairs : apart).push_back({i, j, 0});
+        f[square(g.x - x) >= square(g.R + grains[j].R)].push_back({i, j, 0});
     for (const Group& w : groups)
       w.tree.visit(Box::around(w.back(g.x), g.reach() + w.slack), [&](int k) {
         const Body<real> j = wall(w.tree.order[k], g.x);
-        if (close(j.x, j.R + w.slack)) walls.push_back({i, -1 - w.tree.order[k], 0}); }); }
-  const int touch = count(b.pairs), idle = count(apart); b.held = touch / block * block;
-  for (const auto* a : {&apart, &walls}) b.pairs.insert(b.pairs.end(), a->begin(), a->end());
+        if (close(j.x, j.R + w.slack)) f[2].push_back({i, -1 - w.tree.order[k], 0}); }); }
+  b.pairs.reserve(f[0].size() + f[1].size() + f[2].size()); b.held = count(f[0]) / block * block;
+  for (const auto& all : f) b.pairs.insert(b.pairs.end(), all.begin(), all.end());
   b.springs.resize(friction ? b.pairs.size() / block + 2 : 0);
-  for (int k = 0; k < count(b.pairs); ++k) if (k < touch || k >= touch + idle) recall(b, k); }
+  for (int k = 0; k < count(b.pairs); ++k) if (k < count(f[0]) || b.pairs[k].j < 0) recall(b, k); }
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {
 #pragma omp barrier

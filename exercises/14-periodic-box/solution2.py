@@ -24,8 +24,7 @@ CHANGES = [
      'if (p.j >= 0) static_cast<Body<real>&>(c) = s.beside(a.x, grains[p.j]);\n'
      '      if (p.j < 0) static_cast<Body<real>&>(c) ='),
     ('&j = *aj[l];', '&j = b.pairs[k[l]].j < 0 ? *aj[l] : grains[b.pairs[k[l]].j];'),
-    ('(square(g.x - x) < square(g.R + grains[j].R) ?',
-     '(square(rest(g.x - x, real(0.5))) < square(g.R + grains[j].R) ?'),
+    ('f[square(g.x - x) >=', 'f[square(rest(g.x - x, real(0.5))) >='),
     (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),
