@@ -182,11 +182,11 @@ static void fail(Slab& b, int i, const char* s) { if (b.culprit < 0) b.culprit =
 /// the middle of the last step, Eqs. (44, 45); so is the velocity of the surface, where x was then.
 Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) const {
   const Element& e = mesh.elements[element]; const Group& g = groups[e.group];
-  const Pane& f = panes[element]; const Vec3 c = g.moves ? g.back(centre) : centre, d = c - f.a;
-  const real s = dot(d, f.u), t = dot(d, f.v); const bool above = 0 < s && s < 1 && 0 < t && t < 1;
-  Vec3 x = above ? c - dot(d, f.n) * f.n : closest_point(mesh, e, c);
-  if (!g.moves) return {x, p.Rmesh[e.group], {}, 0, {}, 0};
-  x = g.there(x);
+  const Pane& f = panes[element]; const Vec3 c = g.moves ? g.back(centre) : centre;
+  const auto inside = [](real s) { return 0 < s && s < 1; };
+  const bool above = e.n == 4 && inside(dot(c - f.a, f.u)) && inside(dot(c - f.a, f.v));
+  Vec3 x = above ? c - dot(c - f.a, f.n) * f.n : closest_point(mesh, e, c);
+  if (g.moves) x = g.there(x);
   return {x, p.Rmesh[e.group], g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
 /// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
 /// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
