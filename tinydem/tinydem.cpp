@@ -408,7 +408,7 @@ void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
     Springs<real> u = s->history(l); if (mirrored) u.us = -u.us; b.remember(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
-  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];
+  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];  // as in Slab
   for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) { Box box; near.clear(), last = min(i + 8, b.last);  // search together

@@ -338,12 +338,12 @@ struct Simulation {
   template <class F> void each_contact(const F& found) const; Summary summary() const;
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
   int size() const { return count(grains); } real time() const { return real(steps) * p.dt; }
-  Parameters p; Mesh mesh; vector<Pane> panes{};        // of each mesh element
-  vector<Grain> grains{}; vector<Quaternion> turns{};     // sorted: near in space, near in memory
-  vector<int> id{}, last_pair{};  // place in the order of creation; of a particle in old
+  Parameters p; Mesh mesh; vector<Pane> panes{};     // of each mesh element
+  vector<Grain> grains{}; vector<Quaternion> turns{};  // sorted: near in space, near in memory
+  vector<int> id{}, last_pair{};  // place in the order of creation; begin of a chain in old
   vector<Slab> slabs{1}, old{};  // old: before sorting
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh
-  long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;
+  long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 2, rooms = 0;  // not yet placed; see sort_particles [L]
   bool printed, friction, stale = true;  // --scheme paper; the list must be built
