@@ -89,6 +89,61 @@ TEST_CASE("exact: the norm of a quaternion does not drift") {
   CHECK(std::abs(orientation(s).norm() - 1) < 5e-12);  // measured 8.1e-13 after 1e5 steps
 }
 
+// Eqs. (47-49): orientations are kept apart from the particles, and follow them when these are sorted.
+TEST_CASE("exact: each of many spinning particles has its own orientation") {
+  for (const string friction : {"0", "0.3"})  // without friction too, where no torque can act
+    for (const int n : {1, 31, 33, 3000}) {
+      const Parameters p = scene("g = 0,0,0; dt = 1e-3; mur = 0; mus = " + friction);
+      Random random(1);
+      vector<Particle> all;
+      for (int k = 0; k < n; ++k) {  // far apart; every fifth turns by a large angle per step
+        const Vec3 place{real(k % 15), real(k / 15 % 15), real(k / 225)};
+        all.push_back(ball(place, real(0.01), random.vector(1), random.vector(k % 5 ? 50 : 500)));
+      }
+      Simulation s(p, {}, all);
+      Largest worst;
+      for (int k = 0; k < 3; ++k) {
+        s.particle_tree.order.clear(), s.stale = true;  // sort
+        s.run(50);
+        const vector<Particle> now = s.particles();
+        for (size_t i = 0; i < all.size(); ++i) {
+          const auto q = rotation(norm(all[i].w) * s.time(), 1 / norm(all[i].w) * all[i].w);
+          worst(Vec3{now[i].q[1], now[i].q[2], now[i].q[3]}, {q.x(), q.y(), q.z()}, 1);
+          worst(now[i].q[0], q.w(), 1);
+        }
+      }
+      CAPTURE(friction);
+      CAPTURE(n);
+      CHECK(worst.error < 1e-13);
+    }
+}
+TEST_CASE("exact: spawned particles turn, also without friction") {
+  const Parameters p = scene("g = 0,0,0; dt = 1e-3; mus = 0; mur = 0; w0 = 3,-4,12; Nmax = 500; Nspawn = 5; v0 = 0,0,1; "
+                             "smin = -1,-1,0; smax = 1,1,2; Rmin = 0.01; Rmax = 0.02");
+  Simulation s(p);
+  s.run(200);
+  REQUIRE(s.size() == 500);
+  Largest worst;
+  for (const Particle& a : s.particles()) {  // turned for a whole number of steps
+    const real steps = 2 * std::acos(a.q[0]) / (norm(p.w0) * p.dt), whole = std::round(steps);
+    CHECK(whole > 90);
+    worst(steps, whole, whole);
+    worst(cross({a.q[1], a.q[2], a.q[3]}, p.w0), {}, norm(p.w0));
+  }
+  CHECK(worst.error < 1e-12);
+}
+TEST_CASE("exact: what nothing can turn keeps its orientation") {
+  vector<Particle> all = swarm(6);
+  for (Particle& a : all) a.w = {};
+  Simulation s(scene("mus = 0; mur = 0; eta = 1e-3"), {}, all);
+  s.run(200);
+  CHECK(s.summary().contacts > 0);
+  for (const Particle& a : s.particles()) {
+    CHECK(norm(a.w) == 0);
+    CHECK(a.q == std::array<real, 4>{1, 0, 0, 0});
+  }
+}
+
 /// Particles that fly together from a box with walls of one kind across it. Coordinates vary and
 /// spins point along some axes only.
 struct Confined {

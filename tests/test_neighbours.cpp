@@ -143,7 +143,7 @@ static std::map<Key, vector<real>> springs(const Simulation& s, long& mirrored, 
     const Body<real> partner = c.j < 0 ? s.wall(-1 - c.j, a.x) : Body<real>(s.grains[c.j]);
     if (square(a.x - partner.x) >= square(a.R + partner.R) || (!c.touching && k >= b.held)) return;
     int i = s.id[size_t(c.i)], j = c.j < 0 ? c.j : s.id[size_t(c.j)];
-    const auto [old_us, ur, ut] = b.history(k);
+    const auto [old_us, ur, ut] = b.springs.get(k);
     if (square(old_us) + square(ur) + square(ut) == 0) return;  // a contact that begins
     Vec3 us = old_us;
     if (c.j >= 0 && i > j) std::swap(i, j), us = -us;
@@ -196,7 +196,7 @@ TEST_CASE("exact: pairs that touched when they were listed move alike whether th
             const bool touches = asked.slabs[b].pairs[k].touching & 1;
             parted += !touches, together += touches;
             if (!held.friction) continue;
-            const Springs<real> u = held.slabs[b].history(k), v = touches ? asked.slabs[b].history(k) : Springs<real>{};
+            const Springs<real> u = held.slabs[b].springs.get(k), v = touches ? asked.slabs[b].springs.get(k) : Springs<real>{};
             CHECK(std::memcmp(&u, &v, sizeof u) == 0);
           }
         const vector<Particle> a = held.particles(), b = asked.particles();

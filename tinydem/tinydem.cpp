@@ -12,8 +12,7 @@ namespace tinydem {
 // ------------------------------------------------------------------------------ 1 parameters
 /// A parameter; type is the first letter of its type in the table.
 struct Option { const char *name, *dimension, *range, *help; void* at; char type;
-  template <class T> T& as() const { return *static_cast<T*>(at); }
-  Reals numbers() const {
+  template <class T> T& as() const { return *static_cast<T*>(at); } Reals numbers() const {
     return type == 's' ? Reals() : type == 'R' ? as<Reals>() : type == 'l' ? Reals{real(as<long>())}
                        : Reals(&as<real>(), &as<real>() + (type == 'V' ? 3 : 1)); } };
 #define TINYDEM_OPTION(name, type, value, ...) {#name, __VA_ARGS__, &p.name, #type[0]},
@@ -35,8 +34,7 @@ static bool read_motion(const Parameters& p, vector<Group>& groups) {
   for (const string& entry : split(p.motion, ';')) {
     const auto word = split(entry, ' '); const size_t n = word.size(); long k = -1;
     const auto put = [&](size_t i, void* at, char type) {
-      return i < n && assign({"", "", "", "", at, type}, word[i]); };
-    if (n == 0) continue;
+      return i < n && assign({"", "", "", "", at, type}, word[i]); }; if (n == 0) continue;
     if (!put(0, &k, 'l') || k < 0 || k >= count(groups) || n < 3 || groups[k].moves) return false;
     Group& g = groups[k]; const string& kind = word[1]; g.moves = true;
     if (!(kind == "translate" ? n == 3 && put(2, &g.V, 'V')
@@ -46,8 +44,7 @@ static bool read_motion(const Parameters& p, vector<Group>& groups) {
 /// Are the numbers of an option in its range, e.g. "(-1, 0.5]", "[Rmin, inf)"?
 static bool in_range(const Option& o, const Parameters& p) {
   double low = -HUGE_VAL, high = HUGE_VAL; std::sscanf(o.range + 1, "%lf, %lf", &low, &high);
-  const Reals a = o.numbers(); vector<Group> groups(p.Rmesh.size());
-  for (const real v : a)
+  const Reals a = o.numbers(); vector<Group> groups(p.Rmesh.size()); for (const real v : a)
     if (!(v >= real(low) && v <= real(high)) || (v == real(low) && *o.range == '(')) return false;
   return (o.at != &p.Rmax || a[0] >= p.Rmin) && (o.at != &p.motion || read_motion(p, groups)) &&
          (o.at != &p.smax || (a[0] >= p.smin.x && a[1] >= p.smin.y && a[2] >= p.smin.z)); }
@@ -140,12 +137,12 @@ template <class T> INLINE T along(T length, T f) { return f < 0 ? -length : leng
 /// Force of a friction mode, at most `limit`; advances its spring. V: vector (s, r) or number (t).
 template <class M, class T, class V> INLINE V friction(V& u, const V& v, Mode<T> m, T limit) {
   if (!M::printed) u = u + m.dt * v;                                            // Eq. (53) [D1]
-  V f = -(m.k * u) - m.c * v;                                                   // Eqs. (6, 34, 35)
+  V f = -m.k * u - m.c * v;                                                     // Eqs. (6, 34, 35)
   if (M::printed) u = u + m.dt * v;                                             // Eq. (53)
   const bool slip = norm(f) > limit;                                            // Eqs. (11, 39, 40)
   f = select(slip, along(limit, f), f);                                         // Eq. (54)
   const V rest = M::printed ? f + m.c * v : f;                                  // Eq. (55) [D2]
-  u = select(slip, -(m.k_inv * rest), u); return f; }                           // Eq. (55)
+  u = select(slip, -m.k_inv * rest, u); return f; }                             // Eq. (55)
 template <class T> struct Loads { Vec<T> f, ti, tj, fn; T kn, ks; };  // force on i, both torques
 /// The contact law. M says which friction modes the scene has.
 template <class M, class T>
@@ -186,8 +183,8 @@ Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) cons
   const auto inside = [](real s) { return 0 < s && s < 1; };
   const bool above = e.n == 4 && inside(dot(c - f.a, f.u)) && inside(dot(c - f.a, f.v));
   Vec3 x = above ? c - dot(c - f.a, f.n) * f.n : closest_point(mesh, e, c);
-  if (g.moves) x = g.there(x);
-  return {x, p.Rmesh[e.group], g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
+  const real R = p.Rmesh[e.group]; if (!g.moves) return {x, R, {}, 0, {}, 0};
+  return x = g.there(x), Body<real>{x, R, g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
 /// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
 /// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
 bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const {
@@ -212,48 +209,49 @@ bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool 
   Pair& at = b.pairs[k]; const Group& g = groups[mesh.elements[-1 - at.j].group]; int heir = -1;
   touch = touch && is_nearest(b, k, c, w, heir), at.touching = char(2 * (at.touching & 1) + touch);
   if (!touch || !friction || (at.touching == 3 && !g.moves)) return touch;
-  if (at.touching == 3) { heir = k; } Springs<real> u{}; if (heir >= 0) u = b.history(heir);
+  if (at.touching == 3) { heir = k; } Springs<real> u{}; if (heir >= 0) u = b.springs.get(heir);
   if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur);
-  return b.remember(k, u), touch; }
+  return b.springs.set(k, u), touch; }
 struct Reaction { Vec3 f, ti, tj; real excess; }; struct Check { real way, room, spin2, angle2; };
 /// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
   const Material<real> mat = s.material; Walls walls; b.contacts = 0;
   int k[block]; Grain *ai[block], *aj[block], wall[block];  // places in the list, bodies
   Grain *const grains = s.grains.data(), *const head = grains + b.first, *tail = grains + b.last;
-  const bool far = s.size() > 20000; Block<Body<real>> bi, bj; Block<Reaction> reactions;
-  for (int next = 0, n = 0; next < count(b.pairs); b.contacts += n, n = 0) {
-    const bool held = next < b.held; const int place = held ? next / block : count(b.springs) - 1;
-    Block<Springs<real>>* const us = b.springs.data() + (M::any ? place : 0);
+  const bool far = s.size() > crowd; Block<Body<real>> bi, bj; Block<Reaction> reactions;
+  for (int next = 0, n = 0, end = count(b.pairs); next < end; b.contacts += n, n = 0) {
+    const bool held = next < b.held;
+    auto* const us = held && M::any ? &b.springs[next / block] : &b.springs.back();
     if (held) for (; n < block; ++n, ++next) {  // not asked: no force acts where they have parted
-      const Pair& p = b.pairs[next]; k[n] = next, ai[n] = &grains[p.i], aj[n] = &grains[p.j];
-      const Grain* soon = &grains[b.pairs[min(next + block, b.held - 1)].j];  // into the cache
-      if (far) __builtin_prefetch(soon), __builtin_prefetch(&soon->w), __builtin_prefetch(&soon->f);
-      if (far && M::any) __builtin_prefetch(us[1].c[0] + 8L * n); }
-    else for (; next < count(b.pairs) && n < block; ++next) {
+      const Pair& p = b.pairs[next]; k[n] = next, ai[n] = &grains[p.i], aj[n] = &grains[p.j]; }
+    else for (; next < end && n < block; ++next) {
+      if (far) __builtin_prefetch(&grains[max(b.pairs[min(next + 16, end - 1)].j, 0)]);
       Pair& p = b.pairs[next]; Grain &a = grains[p.i], &c = p.j < 0 ? wall[n] : grains[p.j];
       if (p.j < 0) static_cast<Body<real>&>(c) = s.wall(-1 - p.j, a.x, a.v);
       const Vec3 d = a.x - c.x; bool touch = square(d) < square(a.R + c.R);     // Eq. (7)
       const real ahead = p.j < 0 ? dot(d, d + mat.dt * (a.v - c.v)) : 0;
       if (ahead < 0) fail(b, p.i, "passes through a mesh element");  // a fast wall may not touch it
       if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, walls, touch); }
-      else if (touch != p.touching) { p.touching = touch; if (M::any) b.remember(next, {}); }
+      else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs.set(next, {}); }
       k[n] = next, ai[n] = &a, aj[n] = &c, n += touch; }
     bi.gather(n, [&](int l) { return ai[l]; }), bj.gather(n, [&](int l) { return aj[l]; });
-    if (M::any && !held) for (int l = 0; l < n; ++l) us->set(l, b.history(k[l]));
-    for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
-      const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
-      if (M::any) u = us->get(l);
-      const Loads<real> r = contact_law<M>(c, u, mat); const bool parted = c.delta < 0;
-      reactions.set(l, {r.f, r.ti, r.tj, parted ? -inf : c.delta - c.R - mat.dt * c.vn});
-      if (M::any) us->set(l, {select(parted, {}, u.us), select(parted, {}, u.ur),
-                              select(parted, {}, u.ut)}); }
+    if (M::any && !held) for (int l = 0; l < n; ++l) us->set(l, b.springs.get(k[l]));
+    for (int m = 0; m < n; m += wide) {  // and meanwhile the next ones come into the cache
+      if (held && far) for (int l = m; l < m + wide; ++l) {
+        grains[b.pairs[min(next + l, b.held - 1)].j].fetch();
+        if (M::any) __builtin_prefetch(us[1].c[0] + 8L * l); }
+      for (int l = m; l < m + wide; ++l) {  // becomes vector instructions
+        const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
+        if (M::any) u = us->get(l);
+        const Loads<real> r = contact_law<M>(c, u, mat); const bool parted = c.delta < 0;
+        reactions.set(l, {r.f, r.ti, r.tj, parted ? -inf : c.delta - c.R - mat.dt * c.vn});
+        if (M::any) us->set(l, {select(parted, {}, u.us), select(parted, {}, u.ur),
+                                select(parted, {}, u.ut)}); }}
     for (int l = 0; l < n; ++l) {
       const Reaction r = reactions.get(l); if (r.excess == -inf) continue;
-      Grain &i = *ai[l], &j = *aj[l];
-      if (!(r.excess <= 0)) fail(b, int(&i - grains), j.R_inv > 0 ?
+      Grain &i = *ai[l], &j = *aj[l]; if (!(r.excess <= 0)) fail(b, int(&i - grains), j.R_inv > 0 ?
           "overlaps another by more than a radius" : "passes through a mesh element");
-      if (M::any && !held) b.remember(k[l], us->get(l));
+      if (M::any && !held) b.springs.set(k[l], us->get(l));
       i.f += r.f; if (M::any) i.t += r.ti;                                      // Eqs. (1, 2)
       if (&j < head || &j >= tail) continue;  // a wall, or the other slab adds to j
       j.f += -r.f; if (M::any) j.t += r.tj; }} }                                // Eqs. (56, 57)
@@ -272,33 +270,34 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
-template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
+template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
   const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Body<real>> moved; Block<Quaternion> q;
+  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Body<real>> moved; Block<Check> checks;
   for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
-    grains.gather(n, [&](int l) { return &s.grains[at + l]; }); Block<Check> checks;
-    if (orientation) q.gather(n, [&](int l) { return &s.turns[at + l]; });
+    grains.gather(n, [&](int l) { return &s.grains[at + l]; }); auto& q = s.turns[at / block];
     for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
       const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
       const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
       const Vec3 a = g.m_inv * g.f + gravity - c * g.v;                         // Eq. (42)
-      const Vec3 alpha = I_inv * g.t - gamma * g.w;                             // Eq. (43)
+      const Vec3 alpha = spins ? I_inv * g.t - gamma * g.w : Vec3();            // Eq. (43)
       const Vec3 v = g.v + dt * a;                                              // Eq. (44)
       const Vec3 x = g.x + dt * v;                                              // Eq. (45)
-      const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
-      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha;
-      if constexpr (orientation) q.set(l, turned<false>(q.get(l), h, k, side));
+      const Vec3 w = spins ? g.w + dt * alpha : g.w;                            // Eq. (46)
+      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; const Quaternion was = q.get(l);
       const real way = norm(dt * v), angle2 = square(h) + square(k);
+      if constexpr (orientation) { const bool small = angle2 <= small_angle2;
+        const Quaternion is = turned<false>(was, h, k, side);
+        q.set(l, {select(small, is.s, was.s), select(small, is.v, was.v)}); }
       moved.set(l, {x, g.R, v, g.m_inv, w, g.R_inv});
       checks.set(l, {way, g.room - way, square(w), angle2}); }
     for (int l = 0; l < n; ++l) { const auto c = checks.get(l); Grain& g = s.grains[at + l];
+      if (s.size() > crowd) s.grains[min(at + l + block, s.size() - 1)].fetch();
       if (!(c.way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
       if (!(c.spin2 < inf)) fail(b, at + l, "spins too fast for a finite energy");
-      const Vec3 w = g.w; Quaternion& turn = s.turns[at + l];
-      moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room, b.excess = max(b.excess, -c.room);
-      if (orientation && c.angle2 <= small_angle2) q.copy(l, turn);
-      else if (orientation) turn = turned<true>(turn, dt / 2 * w, dt / 4 * (g.w - w), side); }}
+      const Vec3 w = g.w; moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room;
+      b.excess = max(b.excess, -c.room); if (orientation && c.angle2 > small_angle2)
+        q.set(l, turned<true>(q.get(l), dt / 2 * w, dt / 4 * (g.w - w), side)); }}
   b.failed = b.culprit >= 0; }
 typedef void Phase(Simulation&, Slab&);  // of a step, for each instruction set; chosen at the start
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
@@ -307,8 +306,8 @@ template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
 TINYDEM_FOR("avx2") avx2(Simulation& s, Slab& b) { phase(s, b); }
 TINYDEM_FOR("avx512f,avx512vl,avx512dq") avx512(Simulation& s, Slab& b) { phase(s, b); }
 template <Phase* phase> static Phase* best() {
-  const bool wide = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wide ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>; }
+  const bool most = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return most ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>; }
 #else
 template <Phase* phase> static Phase* best() { return base<phase>; }
 #endif
@@ -317,11 +316,12 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
     : p(table), mesh(m), printed(p.scheme == "paper"),
       friction(printed || p.mus > 0 || p.mur > 0 || p.mut > 0), random(std::uint64_t(p.seed)),
       material(material_of<real>(p)) {
-  motion_phase = p.orientation == "on" ? best<motion<true>>() : best<motion<false>>();
+  bool spins = friction || square(p.w0) > 0; for (auto& a : initial) spins |= square(a.w) > 0;
+  motion_phase = !spins ? best<motion<0, 0>>()  // nothing ever turns
+                 : p.orientation == "on" ? best<motion<1, 1>>() : best<motion<1, 0>>();
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
-                : best_forces<0, 0, 0>();
-  groups.resize(p.Rmesh.size()), read_motion(p, groups);
+                : best_forces<0, 0, 0>(); groups.resize(p.Rmesh.size()), read_motion(p, groups);
   sort_elements(); for (const Particle& particle : initial) add(particle);
   list_neighbours(); Problems problems; real elastic = 0; each_contact([&](const Contact& c) {
     if (elastic += c.energy; !(c.delta <= c.R))
@@ -353,9 +353,9 @@ void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, {}, 0});
-  turns.push_back({a.q[0], {a.q[1], a.q[2], a.q[3]}});
-  radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x));
-  id.push_back(count(id)); }
+  id.push_back(count(id)), turns.resize(grains.size() / block + 1);
+  turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
+  radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x)); }
 /// Is a sphere free? `near`: what it may touch before it has gone that `way`.
 bool Simulation::is_free(const Vec3& x, real R, real way, vector<int>& near) const {
   bool free = true; real far = way; for (const Slab& b : slabs) far = max(far, b.excess);
@@ -381,10 +381,10 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin; const real way = sl
       const bool home = b.first <= j && j < b.last;
       if (home || &b == &slabs.back()) b.pairs.push_back(home ? Pair{j, i, 0} : Pair{i, j, 0}); }
     stale = stale || size() > count(particle_tree.order) + 100; }  // is_free asks them one by one
-  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() / block + 2 : 0); }
+  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() / block + 2 : 1); }
 /// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
-  const double build = 70 / double(1 + 2 * rooms / (rooms + radii));  // in idle pairs per particle
+  const double build = 120 / double(1 + 2 * rooms / (rooms + radii));  // in idle pairs per particle
   double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
   const bool early = build * size() > idle * double(steps - listed_at);
   if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
@@ -393,7 +393,7 @@ void Simulation::sort_particles() {
   const bool sort = particle_tree.order.empty() || rebuilds % 16 == 0;
   particle_tree.build(size(), [&](int i) { return grains[i].box(); }, sort);
   const auto permute = [&](auto& all) { const auto from = all;
-    for (int i = 0; i < size(); ++i) all[i] = from[particle_tree.order[i]]; };
+    for (int i = 0; i < size(); ++i) all.set(i, from.get(particle_tree.order[i])); };
   if (sort) permute(grains), permute(turns), permute(id); }
 /// Gives a pair the springs that it had before the particles were sorted.
 void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
@@ -405,7 +405,7 @@ void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
   while (s->last <= owner) ++s;  // the last slab grows when particles are spawned
   for (int l = last_pair[owner]; l >= 0; l = s->pairs[l].i) if (s->pairs[l].j == partner) {
     a.touching = a.j < 0 ? s->pairs[l].touching : 1; if (!friction) return;
-    Springs<real> u = s->history(l); if (mirrored) u.us = -u.us; b.remember(k, u); }}
+    Springs<real> u = s->springs.get(l); if (mirrored) u.us = -u.us; b.springs.set(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) {
   struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];  // as in Slab
@@ -424,7 +424,7 @@ void Simulation::find_pairs(Slab& b) {
         if (close(j.x, j.R + w.slack)) f[2].push_back({i, -1 - w.tree.order[k], 0}); }); }
   b.pairs.reserve(f[0].size() + f[1].size() + f[2].size()); b.held = count(f[0]) / block * block;
   for (const auto& all : f) b.pairs.insert(b.pairs.end(), all.begin(), all.end());
-  b.springs.resize(friction ? b.pairs.size() / block + 2 : 0);
+  b.springs.resize(friction ? b.pairs.size() / block + 2 : 1);
   for (int k = 0; k < count(b.pairs); ++k) if (k < count(f[0]) || b.pairs[k].j < 0) recall(b, k); }
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {
@@ -436,8 +436,8 @@ void Simulation::list_neighbours() {
     sort_particles(), old.swap(slabs);
     const double halvings = std::log2(max(size(), 1) / 125.0) / 3;  // slabs end as boxes do
     slabs.assign(size_t(1) << std::clamp(int(halvings), 0, 6), Slab());
-    for (long k = 0, n = count(slabs); k < n; ++k)
-      slabs[k].first = int(size() * k / n), slabs[k].last = int(size() * (k + 1) / n); }
+    for (long k = count(slabs) - 1, last = size(); k >= 0; last = slabs[k--].first)
+      slabs[k].first = int(size() * k / count(slabs)) / block * block, slabs[k].last = int(last); }
 #pragma omp for schedule(static)
   for (int k = 0; k < count(slabs); ++k) find_pairs(slabs[k]);
 #pragma omp single
@@ -466,7 +466,7 @@ void Simulation::run(long n) {
                      "), a larger --E or thicker mesh elements"); }
 vector<Particle> Simulation::particles() const {
   vector<Particle> all(grains.size()); for (int i = 0; i < size(); ++i) {
-    const Grain& g = grains[i]; const auto& [s, v] = turns[i];
+    const Grain& g = grains[i]; const auto [s, v] = turns.get(i);
     all[id[i]] = {g.x, g.R, g.v, {s, v.x, v.y, v.z}, g.w}; } return all; }
 template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
@@ -476,7 +476,7 @@ template <class F> void Simulation::each_contact(const F& found) const {
     if (square(bi.x - bj.x) >= square(bi.R + bj.R)) continue;
     int heir = -1; if (j < 0 && !is_nearest(b, k, bj, walls, heir)) continue;
     Springs<real> u{}; if (touching & 1 || k < b.held) heir = k;
-    if (friction && heir >= 0) u = b.history(heir);
+    if (friction && heir >= 0) u = b.springs.get(heir);
     const auto c = approach(bi, bj); const auto r = contact_law<Modes<1, 1, 1>>(c, u, mat);
     const real normal = real(0.4) * r.kn * square(c.delta), rolling = r.kn * square(u.ur) / 2;
     const real energy = normal + rolling + r.ks * (square(u.us) + square(u.ut)) / 2;
@@ -519,8 +519,7 @@ void Simulation::archive(std::fstream& file, bool loading) {
 #pragma GCC optimize("O0")  // options need no speed: compiles in half the time
 #endif
 #include <CLI/CLI.hpp>
-namespace tinydem {
-namespace fs = std::filesystem; using namespace std::chrono_literals;
+namespace tinydem { namespace fs = std::filesystem; using namespace std::chrono_literals;
 static string magic() { return string("TinyDEM ") + version + " " + to_string(sizeof(real)) + " "; }
 /// Writes a file that gets its name when it is complete.
 template <class F> static void write(const fs::path& path, const F& fill) {

@@ -25,15 +25,15 @@ extern "C" float sqrtf(float) noexcept __attribute__((const));   // instruction 
 namespace tinydem {
 typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or long double
 using std::abs, std::max, std::min, std::size_t, std::string, std::to_string;
-const real pi = real(3.14159265358979323846264338327950288L);
+const real pi = real(3.14159265358979323846264338327950288L); const char* const version = "0.1.0";
 const real inf = real(HUGE_VAL), unset = real(NAN);  ///< unset stands for "use the formula"
 const real same_point = std::cbrt(std::numeric_limits<real>::epsilon());  ///< distance / radius
-const char* const version = "0.1.0";
 /// std::vector with indices of any type of whole number.
 template <class T> struct vector : std::vector<T> { using std::vector<T>::vector;
   vector(const std::vector<T>& v) : std::vector<T>(v) {}
   template <class I> T& operator[](I i) { return this->data()[i]; }
-  template <class I> const T& operator[](I i) const { return this->data()[i]; } };
+  template <class I> const T& operator[](I i) const { return this->data()[i]; }
+  T get(int i) const { return (*this)[i]; } void set(int i, const T& a) { (*this)[i] = a; } };
 template <class V> int count(const V& v) { return int(v.size()); } typedef vector<real> Reals;
 // ---------------------------------------------------------------------------------- numbers
 template <class T> INLINE T sqrt(T a) {
@@ -56,12 +56,12 @@ typedef std::conditional_t<sizeof(real) == 4, float, double> Lane;
 typedef Lane Two __attribute__((vector_size(2 * sizeof(Lane)), aligned(sizeof(Lane)), may_alias));
 typedef Lane Four __attribute__((vector_size(4 * sizeof(Lane)), may_alias));
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
-/// nothing but arithmetic and `condition ? a : b` becomes vector instructions (whole ones: padded).
-constexpr int block = 32; constexpr int padded(int n) { return (n + 7) / 8 * 8; }
+/// nothing but arithmetic and `condition ? a : b` becomes vector instructions of `wide` numbers.
+constexpr int block = 32, wide = int(64 / sizeof(real)), crowd = 20000;  // too many for the cache
+constexpr int padded(int n) { return (n + wide - 1) / wide * wide; }
 template <class S> struct alignas(64) Block {
   static constexpr int size = int(sizeof(S) / sizeof(real)); real c[size][block];
-  INLINE S get(int l) const { S s; return copy(l, s), s; }
-  INLINE void copy(int l, S& s) const {
+  INLINE S get(int l) const { S s; return copy(l, s), s; } INLINE void copy(int l, S& s) const {
 #pragma GCC unroll 64
     for (int k = 0; k < size; ++k) reinterpret_cast<real*>(&s)[k] = c[k][l]; }
   INLINE void set(int l, const S& s) {
@@ -82,6 +82,9 @@ template <class S> struct alignas(64) Block {
 #endif
 #pragma GCC unroll 64
       for (; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
+template <class S> struct Blocks : vector<Block<S>> {  // a long array of such structs
+  S get(int k) const { return (*this)[k / block].get(k % block); }
+  void set(int k, const S& s) { (*this)[k / block].set(k % block, s); } };
 // ------------------------------------------------------------------------------- parameters
 /// Table 2 and the options of a run, a line each for all uses: name, type, default, dimension, ...
 #define TINYDEM_PARAMETERS(X)                                                                      \
@@ -249,8 +252,7 @@ inline Vec3 closest_point(const Mesh& m, const Element& e, const Vec3& p) {
 struct Pane { Vec3 a{}, u{}, v{}, n{}; };  // a rectangle: corner, sides / square, unit normal
 struct Box { Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   static Box around(const Vec3& x, real R) { return {x - Vec3{R, R, R}, x + Vec3{R, R, R}}; }
-  void add(const Box& b) {
-    low = {min(low.x, b.low.x), min(low.y, b.low.y), min(low.z, b.low.z)};
+  void add(const Box& b) { low = {min(low.x, b.low.x), min(low.y, b.low.y), min(low.z, b.low.z)};
     high = {max(high.x, b.high.x), max(high.y, b.high.y), max(high.z, b.high.z)}; }
   bool meets(const Box& b) const {
     return low.x <= b.high.x && low.y <= b.high.y && low.z <= b.high.z &&
@@ -298,6 +300,7 @@ inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
 /// A particle of the solver: also force, torque, the way that it may go with the list as it is.
 struct Grain : Body<real> { Vec3 f, t; real room = 0; real reach() const { return R + room; }
+  INLINE void fetch() const { for (const real* a : {&x.x, &w.x, &t.y}) __builtin_prefetch(a); }
   Box box() const { return Box::around(x, reach()); } };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
 struct Pair { int i, j; char touching; };  // bit 0: now; bit 1, of a mesh element: a step before
@@ -314,9 +317,7 @@ struct Group { Tree tree{}; bool moves = false;
 /// alone and every sum has a fixed order: the same bits for every number of threads.
 struct Slab { int first = 0, last = 0, held = 0;  // so many pairs touched when they were listed
   vector<Pair> pairs{};  // these, apart, with the mesh, spawned; a pair of two slabs is in both
-  vector<Block<Springs<real>>> springs{};  // of each pair, if the scene has friction; one to spare
-  Springs<real> history(int k) const { return springs[k / block].get(k % block); }
-  void remember(int k, const Springs<real>& u) { springs[k / block].set(k % block, u); }
+  Blocks<Springs<real>> springs{};  // of each pair, if the scene has friction; a block to spare
   long contacts = 0; real excess = -1;  // in the last step; way out of the sphere of the list [L]
   int culprit = -1; const char* reason = ""; bool failed = false; };  // an unstable particle
 struct Walls { int i = -1, first = 0; vector<Vec3> points{}; };  // near i, pairs from first on
@@ -339,7 +340,7 @@ struct Simulation {
   void archive(std::fstream& file, bool loading);  ///< the state of a run, to resume it bit for bit
   int size() const { return count(grains); } real time() const { return real(steps) * p.dt; }
   Parameters p; Mesh mesh; vector<Pane> panes{};     // of each mesh element
-  vector<Grain> grains{}; vector<Quaternion> turns{};  // sorted: near in space, near in memory
+  vector<Grain> grains{}; Blocks<Quaternion> turns{};  // sorted: near in space, near in memory
   vector<int> id{}, last_pair{};  // place in the order of creation; begin of a chain in old
   vector<Slab> slabs{1}, old{};  // old: before sorting
   Tree particle_tree{}; vector<Group> groups{};  // one for each index into Rmesh

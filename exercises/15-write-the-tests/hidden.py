@@ -8,7 +8,7 @@ HIDDEN = {
     "damping": ("sqrt(5 * c.mstar * kn)", "sqrt(4 * c.mstar * kn)"),
     "tangential_stiffness": ("8 * (c.stiff * mat.Gstar) * a", "6 * (c.stiff * mat.Gstar) * a"),
     "sliding_limit": ("mat.mus * load", "mat.mus * load / 2"),
-    "spring_in_slip": ("-(m.k_inv * rest)", "u + m.dt * v"),
+    "spring_in_slip": ("-m.k_inv * rest", "u + m.dt * v"),
     "contact_velocity": ("cross(c.n, c.ri * i.w + c.rj * j.w)", "cross(c.n, c.ri * i.w)"),
     "torque_on_the_other": ("c.rj * cross(fs, c.n)", "c.rj / 2 * cross(fs, c.n)"),
     "rolling_velocity": ("i.w - j.w", "i.w - T(0) * j.w"),

@@ -12,7 +12,7 @@ BROKEN = {
     "damping": [("sqrt(5 * c.mstar * kn)", "sqrt(2 * c.mstar * kn)")],
     "tangential_stiffness": [("8 * (c.stiff * mat.Gstar) * a", "4 * (c.stiff * mat.Gstar) * a")],
     "sliding_limit": [("mat.mus * load", "2 * mat.mus * load")],
-    "spring_in_slip": [("-(m.k_inv * rest)", "u")],
+    "spring_in_slip": [("-m.k_inv * rest", "u")],
     "contact_velocity": [("cross(c.n, c.ri * i.w + c.rj * j.w)",
                           "cross(c.n, c.ri * i.w - c.rj * j.w)")],
     "torque_on_the_other": [("c.rj * cross(fs, c.n)", "c.ri * cross(fs, c.n)")],

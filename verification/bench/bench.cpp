@@ -9,8 +9,8 @@
 //
 // Options: mesh=KIND (see states.hpp), steps=N (timed), warm=N (before), repeats=N (from the state
 // anew, the median counts), lists=off (do not count steps in which a list is built), horizon=X
-// (keep Simulation::horizon at this value; 0: leave it alone, but step by step). Everything else
-// goes to the solver, as in a scene file.
+// (keep Simulation::horizon at this value; 0: leave it alone, but step by step), spins=off (the
+// particles of the state do not spin). Everything else goes to the solver, as in a scene file.
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -25,7 +25,7 @@ namespace bench {
 struct Command {
   std::map<string, string> options{
       {"mesh", "box"}, {"steps", "100"}, {"warm", "20"},
-      {"repeats", "1"}, {"lists", "on"}, {"horizon", ""}};
+      {"repeats", "1"}, {"lists", "on"}, {"horizon", ""}, {"spins", "on"}};
   tinydem::vector<Setting> settings{{"Nspawn", "0", "bench"}, {"Rmesh", "0,0", "bench"}};
   /// Reads words `name=value` from the k-th on.
   Command(const tinydem::vector<string>& words, int k) {
@@ -149,9 +149,11 @@ void time(const State& state, const Command& c) {
   if (lists != "on" && lists != "off") throw InputError("lists = '" + lists + "': on or off");
   const real h = hold ? c.number("horizon", 0, 20) : 0;
   const Mesh mesh = walls(c.options.at("mesh"), state);
+  auto particles = state.particles;
+  if (c.options.at("spins") == "off") for (Particle& a : particles) a.w = {};
   tinydem::vector<double> ns;
   for (long k = c.whole("repeats", 1, 1e6); k-- > 0;) {
-    Simulation s(c.parameters(state), mesh, state.particles);
+    Simulation s(c.parameters(state), mesh, particles);
     if (hold) held(s, warm, h);
     else s.run(warm);
     const Timing t = hold ? held(s, steps, h) : lists == "on" ? plain(s, steps)

@@ -112,9 +112,10 @@ void count_motion() {
   const Grain& a = s.grains[0];
   Mover<real> b{x, v, w, {}, {}, a.R, a.m_inv, a.R_inv, {1, {}}, 0};
   b.move(p.dt, p.g);
-  const Vec3 off[] = {a.x - b.x, a.v - b.v, a.w - b.w, s.turns[0].v - b.q.v};
+  const Quaternion q = s.turns.get(0);
+  const Vec3 off[] = {a.x - b.x, a.v - b.v, a.w - b.w, q.v - b.q.v};
   for (const Vec3& d : off)
-    if (square(d) > 0 || s.turns[0].s != b.q.s)
+    if (square(d) > 0 || q.s != b.q.s)
       throw RunError("count.cpp: its motion differs from that of the solver; bring it up to date");
   Mover<Counted> c{};
   c.R_inv = c.m_inv = c.R = c.q.s = 1.0;

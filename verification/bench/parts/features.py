@@ -6,12 +6,14 @@ TITLE = "What a feature costs"
 TEXT = """The settled packing of 10⁴ spheres again, loaded anew for every repetition and timed
 for 20 steps, so that all rows have the same contacts whatever the law; building lists is left
 out. One thread. A mode of friction that a scene does not use is compiled out; rolling brings
-the code of twisting along. The last column is the time against the full model (sliding,
+the code of twisting along. Without friction nothing makes a particle spin, so the spins of the
+packing are taken away; the second row keeps them. The last column is the time against the full model (sliding,
 rolling, twisting, orientations, resting walls)."""
 NONE = {"mus": 0, "mur": 0, "mut": 0, "orientation": "off"}
 FULL = "full model"
 SCENES = {
-    "no friction": NONE,
+    "no friction": {**NONE, "spins": "off"},
+    "no friction, particles spin": NONE,
     "sliding": {**NONE, "mus": 0.3},
     "sliding, twisting": {**NONE, "mus": 0.3, "mut": 0.2},
     "sliding, rolling": {**NONE, "mus": 0.3, "mur": 0.3},
