@@ -7,13 +7,14 @@ TEXT = """The settled packing of 10⁴ spheres again, loaded anew for every repe
 for 20 steps, so that all rows have the same contacts whatever the law; building lists is left
 out. One thread. A mode of friction that a scene does not use is compiled out; rolling brings
 the code of twisting along. Without friction nothing makes a particle spin, so the spins of the
-packing are taken away; the second row keeps them. The last column is the time against the full model (sliding,
+packing are taken away; the second row keeps them, and turns. The last column is the time against the full model (sliding,
 rolling, twisting, orientations, resting walls)."""
-NONE = {"mus": 0, "mur": 0, "mut": 0, "orientation": "off"}
+SMOOTH = {"mus": 0, "mur": 0, "mut": 0}
+NONE = {**SMOOTH, "orientation": "off"}
 FULL = "full model"
 SCENES = {
-    "no friction": {**NONE, "spins": "off"},
-    "no friction, particles spin": NONE,
+    "no friction": {**SMOOTH, "spins": "off"},
+    "no friction, particles spin": SMOOTH,
     "sliding": {**NONE, "mus": 0.3},
     "sliding, twisting": {**NONE, "mus": 0.3, "mut": 0.2},
     "sliding, rolling": {**NONE, "mus": 0.3, "mur": 0.3},

@@ -20,7 +20,7 @@ own "Loop time"."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
 #: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
 #: packings need long warm-ups until it has found its value.
-STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (60, 100),
+STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (60, 300),
          3_000_000: (25, 50)}
 
 
@@ -104,13 +104,16 @@ def measure(bench, lmp):
     return {"rows": rows, "lammps": lmp.version() if lmp.here else None}
 
 
-def exponent(rows, key):
-    """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings."""
+def exponent(rows, key, contacts=False):
+    """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings; contacts:
+    the same with the number of contacts in place of N, since deep packings have more of them."""
     some = [r for r in rows if r["state"] == "packing" and f"{key}_time" in r]
     if len(some) < 2:
         return float("nan")
     n = np.array([r["N"] for r in some], float)
     step = n * np.array([r[f"{key}_time"] for r in some])
+    if contacts:
+        n *= [r["ours1_contacts"] for r in some]
     return float(np.polyfit(np.log(n), np.log(step), 1)[0])
 
 
@@ -138,7 +141,9 @@ def tables(data):
              "note": "Exponent p of (time of a step) ~ N^p over the packings: " + ", ".join(
                  f"{name} {exponent(rows, k):.2f}" for k, name in
                  zip(keys, ("1 thread", "2 threads", "LAMMPS 1 rank", "2 ranks"))
-                 if f"{k}_time" in rows[0]) + "." + (
+                 if f"{k}_time" in rows[0]) + "; over the number of contacts: " + ", ".join(
+                     f"{exponent(rows, k, True):.2f}" for k in keys if f"{k}_time" in rows[0]) +
+                 "." + (
                      f" LAMMPS {data['lammps']}." if data["lammps"] else
                      " LAMMPS is not installed: `./dem bench --lammps` installs it.")}
     more = {"title": "The same runs: how much there was to do",
