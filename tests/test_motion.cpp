@@ -114,7 +114,7 @@ TEST_CASE("exact: each of many spinning particles has its own orientation") {
       }
       CAPTURE(friction);
       CAPTURE(n);
-      CHECK(worst.error < 1e-13);
+      CHECK(worst.error < 1e-13);  // measured 1.4e-14
     }
 }
 TEST_CASE("exact: spawned particles turn, also without friction") {
@@ -130,7 +130,7 @@ TEST_CASE("exact: spawned particles turn, also without friction") {
     worst(steps, whole, whole);
     worst(cross({a.q[1], a.q[2], a.q[3]}, p.w0), {}, norm(p.w0));
   }
-  CHECK(worst.error < 1e-12);
+  CHECK(worst.error < 1e-13);  // measured 9.6e-15
 }
 TEST_CASE("exact: what nothing can turn keeps its orientation") {
   vector<Particle> all = swarm(6);

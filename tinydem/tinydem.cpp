@@ -270,9 +270,9 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces.
-template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& b) {
+template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
-  const real side = s.printed ? -1 : 1;                                         // Eq. (47) [D3]
+  const bool far = s.size() > crowd; const real side = s.printed ? -1 : 1;      // Eq. (47) [D3]
   const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Body<real>> moved; Block<Check> checks;
   for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
     grains.gather(n, [&](int l) { return &s.grains[at + l]; }); auto& q = s.turns[at / block];
@@ -280,10 +280,10 @@ template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& 
       const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
       const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
       const Vec3 a = g.m_inv * g.f + gravity - c * g.v;                         // Eq. (42)
-      const Vec3 alpha = spins ? I_inv * g.t - gamma * g.w : Vec3();            // Eq. (43)
+      const Vec3 alpha = I_inv * g.t - gamma * g.w;                             // Eq. (43)
       const Vec3 v = g.v + dt * a;                                              // Eq. (44)
       const Vec3 x = g.x + dt * v;                                              // Eq. (45)
-      const Vec3 w = spins ? g.w + dt * alpha : g.w;                            // Eq. (46)
+      const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
       const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; const Quaternion was = q.get(l);
       const real way = norm(dt * v), angle2 = square(h) + square(k);
       if constexpr (orientation) { const bool small = angle2 <= small_angle2;
@@ -292,7 +292,7 @@ template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& 
       moved.set(l, {x, g.R, v, g.m_inv, w, g.R_inv});
       checks.set(l, {way, g.room - way, square(w), angle2}); }
     for (int l = 0; l < n; ++l) { const auto c = checks.get(l); Grain& g = s.grains[at + l];
-      if (s.size() > crowd) s.grains[min(at + l + block, s.size() - 1)].fetch();
+      if (far) s.grains[min(at + l + block, b.last - 1)].fetch();
       if (!(c.way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
       if (!(c.spin2 < inf)) fail(b, at + l, "spins too fast for a finite energy");
       const Vec3 w = g.w; moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room;
@@ -317,11 +317,11 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
       friction(printed || p.mus > 0 || p.mur > 0 || p.mut > 0), random(std::uint64_t(p.seed)),
       material(material_of<real>(p)) {
   bool spins = friction || square(p.w0) > 0; for (auto& a : initial) spins |= square(a.w) > 0;
-  motion_phase = !spins ? best<motion<0, 0>>()  // nothing ever turns
-                 : p.orientation == "on" ? best<motion<1, 1>>() : best<motion<1, 0>>();
+  motion_phase = spins && p.orientation == "on" ? best<motion<true>>() : best<motion<false>>();
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
-                : best_forces<0, 0, 0>(); groups.resize(p.Rmesh.size()), read_motion(p, groups);
+                : best_forces<0, 0, 0>();
+  groups.resize(p.Rmesh.size()), read_motion(p, groups);
   sort_elements(); for (const Particle& particle : initial) add(particle);
   list_neighbours(); Problems problems; real elastic = 0; each_contact([&](const Contact& c) {
     if (elastic += c.energy; !(c.delta <= c.R))

@@ -243,7 +243,7 @@ TEST_CASE("exact: the hot loop gives the bits of the law, contact by contact") {
 
 #ifdef TINYDEM_FOR
 TEST_CASE("exact: the same bits on every instruction set") {
-  constexpr Phase *law = forces<Modes<1, 1, 1>>, *move = motion<true, true>;
+  constexpr Phase *law = forces<Modes<1, 1, 1>>, *move = motion<true>;
   const auto run = [](Phase* forces, Phase* motion) {
     Simulation s(scene("mus = 0.5; mur = 0.1; g = 0,0,-9.81"), one_element({{real(0.011), 0, 0}}), swarm(6));
     s.force_phase = forces, s.motion_phase = motion;

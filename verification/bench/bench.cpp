@@ -47,6 +47,11 @@ struct Command {
                        text(low) + ", " + text(high) + "]");
     return a;
   }
+  bool on(const string& name) const {
+    const string& a = options.at(name);
+    if (a != "on" && a != "off") throw InputError(name + " = '" + a + "': on or off");
+    return a == "on";
+  }
   /// Parameters for a state: its radii, and what the command says.
   Parameters parameters(const State& s) const {
     tinydem::vector<Setting> all{{"Rmin", text(real(s.Rmin)), "state"},
@@ -145,18 +150,17 @@ Timing held(Simulation& s, long steps, real h) {
 void time(const State& state, const Command& c) {
   const long steps = c.whole("steps", 1, 1e9), warm = c.whole("warm", 0, 1e9);
   const bool hold = !c.options.at("horizon").empty();
-  const string& lists = c.options.at("lists");
-  if (lists != "on" && lists != "off") throw InputError("lists = '" + lists + "': on or off");
+  const bool lists = c.on("lists"), spins = c.on("spins");
   const real h = hold ? c.number("horizon", 0, 20) : 0;
   const Mesh mesh = walls(c.options.at("mesh"), state);
   auto particles = state.particles;
-  if (c.options.at("spins") == "off") for (Particle& a : particles) a.w = {};
+  if (!spins) for (Particle& a : particles) a.w = {};
   tinydem::vector<double> ns;
   for (long k = c.whole("repeats", 1, 1e6); k-- > 0;) {
     Simulation s(c.parameters(state), mesh, particles);
     if (hold) held(s, warm, h);
     else s.run(warm);
-    const Timing t = hold ? held(s, steps, h) : lists == "on" ? plain(s, steps)
+    const Timing t = hold ? held(s, steps, h) : lists ? plain(s, steps)
                                              : without_lists(s, steps);
     const double N = s.size();
     ns.push_back(1e9 * t.seconds / double(t.steps) / N);

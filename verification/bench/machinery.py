@@ -9,6 +9,7 @@ import numpy as np
 
 #: The material of every part unless it says otherwise (dt: Eq. 50 of the smallest radius).
 MATERIAL = {"rho": 1e3, "E": 1e6, "nu": 0.3, "en": 0.5, "mus": 0.3, "mur": 0.3, "mut": 0.2}
+SMOOTH = {"mus": 0, "mur": 0, "mut": 0}  # no friction
 
 
 def parse(text):

@@ -1,15 +1,14 @@
 """Price list: what each feature adds to the time of a step, on the same packing."""
 import style
-from machinery import MATERIAL, spread
+from machinery import MATERIAL, SMOOTH, spread
 
 TITLE = "What a feature costs"
 TEXT = """The settled packing of 10⁴ spheres again, loaded anew for every repetition and timed
 for 20 steps, so that all rows have the same contacts whatever the law; building lists is left
 out. One thread. A mode of friction that a scene does not use is compiled out; rolling brings
 the code of twisting along. Without friction nothing makes a particle spin, so the spins of the
-packing are taken away; the second row keeps them, and turns. The last column is the time against the full model (sliding,
-rolling, twisting, orientations, resting walls)."""
-SMOOTH = {"mus": 0, "mur": 0, "mut": 0}
+packing are taken away; the second row keeps them, and turns. The last column is the time against
+the full model (sliding, rolling, twisting, orientations, resting walls)."""
 NONE = {**SMOOTH, "orientation": "off"}
 FULL = "full model"
 SCENES = {

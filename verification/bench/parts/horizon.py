@@ -2,7 +2,7 @@
 import numpy as np
 
 import style
-from machinery import spread
+from machinery import SMOOTH, spread
 
 TITLE = "The automatic neighbour list"
 TEXT = """The solver widens or narrows the reach of its list (`Simulation::horizon`) after every
@@ -12,7 +12,7 @@ drawn is the mean of those used. Three scenes of 2000 spheres, one thread: a gas
 elastic, no friction, no gravity), a packing that runs out of a square hole in the floor, the
 settled packing. Stepping one by one costs nothing: the row *automatic, step by step*."""
 HELD = (0.3, 0.6, 1.2, 2.5, 5, 10, 20)
-SCENES = {"gas": ("gas", {"mesh": "closed", "en": 1, "mus": 0, "mur": 0, "mut": 0, "g": "0,0,0"}),
+SCENES = {"gas": ("gas", {"mesh": "closed", "en": 1, **SMOOTH, "g": "0,0,0"}),
           "flow": ("packing", {"mesh": "hopper"}), "packing": ("packing", {})}
 
 

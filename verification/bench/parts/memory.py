@@ -3,7 +3,7 @@ import os
 from pathlib import Path
 
 import style
-from machinery import MATERIAL
+from machinery import MATERIAL, SMOOTH
 from parts.scaling import prepare, settled
 
 TITLE = "Memory"
@@ -12,7 +12,7 @@ the most resident memory it ever had, less that of the process before it loaded 
 particle. Resident: what it holds at the end. LAMMPS: the difference of the peaks of two
 packings over the difference in particles."""
 VARIANTS = {"full model": {}, "orientations off": {"orientation": "off"},
-            "no friction": {"mus": 0, "mur": 0, "mut": 0}, "full model, float": {"float": True}}
+            "no friction": SMOOTH, "full model, float": {"float": True}}
 
 
 def lammps_peak(lmp, data, box):

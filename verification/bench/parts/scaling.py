@@ -133,17 +133,17 @@ def ratio(row, n):
 def tables(data):
     rows = data["rows"]
     keys = ("ours1", "ours2", "lammps1", "lammps2")
+    names = dict(zip(keys, ("1 thread", "2 threads", "LAMMPS 1 rank", "2 ranks")))
+    timed = [k for k in keys if f"{k}_time" in rows[0]]
     times = {"title": "ns per particle and step (median ± half the range)",
              "head": ["state", "N", "1 thread", "2 threads", "LAMMPS, 1 rank", "LAMMPS, 2 ranks",
                       "LAMMPS / ours, 1", "LAMMPS / ours, 2"],
              "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), *(cell(r, k) for k in keys),
                        ratio(r, 1), ratio(r, 2)] for r in rows],
              "note": "Exponent p of (time of a step) ~ N^p over the packings: " + ", ".join(
-                 f"{name} {exponent(rows, k):.2f}" for k, name in
-                 zip(keys, ("1 thread", "2 threads", "LAMMPS 1 rank", "2 ranks"))
-                 if f"{k}_time" in rows[0]) + "; over the number of contacts: " + ", ".join(
-                     f"{exponent(rows, k, True):.2f}" for k in keys if f"{k}_time" in rows[0]) +
-                 "." + (
+                 f"{names[k]} {exponent(rows, k):.2f}" for k in timed) +
+                 "; over the number of contacts: " + ", ".join(
+                     f"{exponent(rows, k, True):.2f}" for k in timed) + "." + (
                      f" LAMMPS {data['lammps']}." if data["lammps"] else
                      " LAMMPS is not installed: `./dem bench --lammps` installs it.")}
     more = {"title": "The same runs: how much there was to do",
