@@ -241,6 +241,8 @@ SCENE = {
 HERE = "command line"
 COMMAND = {
     "no_value": (["--E"], [f"{HERE} | --E | 1 required | see --help"]),
+    "no_path": (["--mesh"], [f"{HERE} | --mesh | 1 required | see --help"]),
+    "a_path_twice": (["--output", "two"], [f"{HERE} | --output | At Most 1 | see --help"]),
     "unknown": (["--mu_s=0.1"], [f"{HERE} | 'mu_s | is unknown | did you mean 'mus'?"]),
     "unknown_and_its_value": (["--mu_s", "0.1"], [f"{HERE} | 'mu_s' is unknown | mean 'mus'?"]),
     "repeated": (["--E", "1", "--E", "1"], [f"{HERE} | --E | At Most 1 | see --help"]),

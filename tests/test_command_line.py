@@ -132,6 +132,18 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(table(self.folder / "out/particles000001.csv")), 1)
         self.assertFalse((self.folder / "out/mesh.off").exists())
 
+    def test_paths_by_name(self):
+        self.write("grains.csv", HEADER + "\n" + particle("0,0,1"))
+        self.write("floor.off", "OFF\n1 1 0\n0 0 0\n1 0 0\n")
+        short = ("--Nframes", 1, "--Nsteps", 1, "--Nspawn=0", "--quiet")
+        self.run_it("--output", "named", "--particles=grains.csv", "--mesh", "floor.off", *short)
+        self.run_it("floor.off", "grains.csv", "placed", *short)
+        for name in ("particles000001.csv", "mesh.off", "input.csv", "scene.ini"):
+            self.assertEqual((self.folder / "named" / name).read_text(),
+                             (self.folder / "placed" / name).read_text(), name)
+        self.run_it("--mesh", "none.off", "--output", "new", *short, code=2, says="none.off: cannot be read")
+        self.assertFalse((self.folder / "new").exists())
+
     # --------------------------------------------------------------------------------- mistakes
 
     def test_bad_input_ends_with_2_and_writes_nothing(self):

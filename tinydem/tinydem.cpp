@@ -594,9 +594,9 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
   for (const Option& o : options(defaults)) { const string name = o.name;
     const string value = name == "dt" ? "Eq. 50" : name == "mut" ? "2/3 mus" : text(o);
     const string help = string(o.help) + " [" + o.dimension + "], " + o.range + ", default ";
-    const string dashes = string(o.range) == "path" ? "" : "--";
-    const auto store = [&c, name, dashes](const string& s) {  // an empty string skips a path
-      if (!s.empty() || !dashes.empty()) c.settings.push_back({name, s, "command line"}); };
+    const bool path = string(o.range) == "path"; const string dashes = path ? name + ",--" : "--";
+    const auto store = [&c, name, path](const string& s) {  // an empty string skips a path
+      if (!s.empty() || !path) c.settings.push_back({name, s, "command line"}); };
     if (name == "contacts") app.add_flag_callback("--contacts", [store] { store("on"); }, o.help);
     else app.add_option_function<string>(dashes + name, store, help + value)->type_name(""); }
   app.allow_extras(); try { app.parse(argc, argv); } catch (const CLI::ParseError& e) {
