@@ -212,7 +212,7 @@ bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool 
   if (at.touching == 3) { heir = k; } Springs<real> u{}; if (heir >= 0) u = b.springs.get(heir);
   if (g.moves) u.us = rotated(g.step, u.us), u.ur = rotated(g.step, u.ur);
   return b.springs.set(k, u), touch; }
-struct Reaction { Vec3 f, ti, tj; real excess; }; struct Check { real way, room, spin2, angle2; };
+struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
   const Material<real> mat = s.material; Walls walls; b.contacts = 0;
@@ -269,35 +269,35 @@ template <bool large>
 INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
-/// Eqs. (42)-(49) for the particles of a slab; clears their forces.
+struct alignas(4 * sizeof(real)) Turn { Vec3 h; real a; Vec3 k; real b; };  // a, b: of no use
+/// Eqs. (42)-(49) for the particles of a slab; clears their forces. R, 1/m, 1/R have no step.
 template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
   const bool far = s.size() > crowd; const real side = s.printed ? -1 : 1;      // Eq. (47) [D3]
-  const Vec3 gravity = s.p.g; Block<Grain> grains; Block<Body<real>> moved; Block<Check> checks;
+  const Four gravity{s.p.g.x, s.p.g.y, s.p.g.z, 0}, step{dt, dt, dt, 0};
+  Turn turn[block]; Block<Turn> all; real angle2[block];
   for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
-    grains.gather(n, [&](int l) { return &s.grains[at + l]; }); auto& q = s.turns[at / block];
-    for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
-      const Grain g = grains.get(l); const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
-      const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
-      const Vec3 a = g.m_inv * g.f + gravity - c * g.v;                         // Eq. (42)
-      const Vec3 alpha = I_inv * g.t - gamma * g.w;                             // Eq. (43)
-      const Vec3 v = g.v + dt * a;                                              // Eq. (44)
-      const Vec3 x = g.x + dt * v;                                              // Eq. (45)
-      const Vec3 w = g.w + dt * alpha;                                          // Eq. (46)
-      const Vec3 h = dt / 2 * g.w, k = dt * dt / 4 * alpha; const Quaternion was = q.get(l);
-      const real way = norm(dt * v), angle2 = square(h) + square(k);
-      if constexpr (orientation) { const bool small = angle2 <= small_angle2;
-        const Quaternion is = turned<false>(was, h, k, side);
-        q.set(l, {select(small, is.s, was.s), select(small, is.v, was.v)}); }
-      moved.set(l, {x, g.R, v, g.m_inv, w, g.R_inv});
-      checks.set(l, {way, g.room - way, square(w), angle2}); }
-    for (int l = 0; l < n; ++l) { const auto c = checks.get(l); Grain& g = s.grains[at + l];
+    for (int l = 0; l < n; ++l) { Grain& g = s.grains[at + l]; const real room = g.room;
       if (far) s.grains[min(at + l + block, b.last - 1)].fetch();
-      if (!(c.way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
-      if (!(c.spin2 < inf)) fail(b, at + l, "spins too fast for a finite energy");
-      const Vec3 w = g.w; moved.copy(l, g), g.f = g.t = Vec3(), g.room = c.room;
-      b.excess = max(b.excess, -c.room); if (orientation && c.angle2 > small_angle2)
-        q.set(l, turned<true>(q.get(l), dt / 2 * w, dt / 4 * (g.w - w), side)); }}
+      Four &x = four(g.x), &v = four(g.v), &w = four(g.w), &f = four(g.f), &t = four(g.t);
+      const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
+      const Four a = g.m_inv * f + gravity - c * v;                             // Eq. (42)
+      const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
+      const Four alpha = I_inv * t - gamma * w;                                 // Eq. (43)
+      four(turn[l].h) = dt / 2 * w, four(turn[l].k) = dt * dt / 4 * alpha;
+      v += step * a;                                                            // Eq. (44)
+      x += step * v;                                                            // Eq. (45)
+      w += step * alpha, f = t = Four{};                                        // Eq. (46)
+      const real way = norm(dt * g.v); g.room = room - way, b.excess = max(b.excess, -g.room);
+      if (!(way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
+      if (!(square(g.w) < inf)) fail(b, at + l, "spins too fast for a finite energy"); }
+    if (orientation) { auto& q = s.turns[at / block]; all.gather(n, [&](int l) { return turn + l; });
+      for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
+        const Turn o = all.get(l); auto was = q.get(l), is = turned<false>(was, o.h, o.k, side);
+        angle2[l] = square(o.h) + square(o.k); const bool small = angle2[l] <= small_angle2;
+        q.set(l, {select(small, is.s, was.s), select(small, is.v, was.v)}); }
+      for (int l = 0; l < n; ++l) if (angle2[l] > small_angle2)
+        q.set(l, turned<true>(q.get(l), turn[l].h, turn[l].k, side)); }}
   b.failed = b.culprit >= 0; }
 typedef void Phase(Simulation&, Slab&);  // of a step, for each instruction set; chosen at the start
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
@@ -352,7 +352,7 @@ void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
     g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
-  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, {}, 0});
+  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, 0, {}, 0});
   id.push_back(count(id)), turns.resize(grains.size() / block + 1);
   turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x)); }

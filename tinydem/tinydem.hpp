@@ -52,9 +52,9 @@ template <class T> struct Vec { T x{}, y{}, z{};
   INLINE friend T norm(const Vec& a) { return sqrt(dot(a, a)); } };
 typedef Vec<real> Vec3; template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
-typedef std::conditional_t<sizeof(real) == 4, float, double> Lane;
-typedef Lane Two __attribute__((vector_size(2 * sizeof(Lane)), aligned(sizeof(Lane)), may_alias));
-typedef Lane Four __attribute__((vector_size(4 * sizeof(Lane)), may_alias));
+typedef real Two __attribute__((vector_size(2 * sizeof(real)), aligned(sizeof(real)), may_alias));
+typedef real Four __attribute__((vector_size(4 * sizeof(real)), may_alias));  // numbers at a time
+INLINE Four& four(Vec3& a) { return reinterpret_cast<Four&>(a); }  // and the number behind it
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
 /// nothing but arithmetic and `condition ? a : b` becomes vector instructions of `wide` numbers.
 constexpr int block = 32, wide = int(64 / sizeof(real)), crowd = 20000;  // too many for the cache
@@ -299,9 +299,9 @@ struct Quaternion { real s = 1; Vec3 v{}; };
 inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
 /// A particle of the solver: also force, torque, the way that it may go with the list as it is.
-struct Grain : Body<real> { Vec3 f, t; real room = 0; real reach() const { return R + room; }
-  INLINE void fetch() const { for (const real* a : {&x.x, &w.x, &t.y}) __builtin_prefetch(a); }
-  Box box() const { return Box::around(x, reach()); } };
+struct alignas(4 * sizeof(real)) Grain : Body<real> { Vec3 f; real room = 0; Vec3 t; real none = 0;
+  INLINE void fetch() const { for (const real* a : {&x.x, &w.x, &t.x}) __builtin_prefetch(a); }
+  real reach() const { return R + room; } Box box() const { return Box::around(x, reach()); } };
 /// Particle i and what it may touch: particle j >= 0 or mesh element -1 - j.
 struct Pair { int i, j; char touching; };  // bit 0: now; bit 1, of a mesh element: a step before
 /// The mesh elements of one index into Rmesh and how they move from where they are in the file:

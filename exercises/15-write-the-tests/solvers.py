@@ -18,7 +18,7 @@ BROKEN = {
     "torque_on_the_other": [("c.rj * cross(fs, c.n)", "c.ri * cross(fs, c.n)")],
     "rolling_velocity": [("i.w - j.w", "i.w + j.w")],
     "rolling_limit": [("mat.mur * load", "mat.mus * load")],
-    "motion": [("g.x + dt * v", "g.x + dt * g.v")],
+    "motion": [("x += step * v;", "x += step * (v - step * a);")],
     "drag": [("stokes * g.R_inv * g.R_inv", "stokes * g.R_inv")],
     "orientation": [("s.printed ? -1 : 1", "-1")],
 }
