@@ -1,6 +1,7 @@
 // Particles without contact: the discrete laws of fall, drag and rotation are known exactly.
 // Particles that collide in a plane or on a line: they never leave it.
 #include <Eigen/Geometry>
+#include <map>
 
 #include "test_support.hpp"
 
@@ -131,6 +132,20 @@ TEST_CASE("exact: spawned particles turn, also without friction") {
     worst(cross({a.q[1], a.q[2], a.q[3]}, p.w0), {}, norm(p.w0));
   }
   CHECK(worst.error < 1e-13);  // measured 9.6e-15
+}
+TEST_CASE("exact: radii, masses and moments of inertia stay in drag, gravity and collisions") {
+  for (const string settings : {"", "mus = 0; mur = 0", "orientation = off"}) {
+    Simulation s(scene("g = 3,-4,-9.81; eta = 0.1; " + settings), open_box(real(0.1), 1, real(-0.11)), swarm(8));
+    std::map<int, Grain> before;
+    for (int i = 0; i < s.size(); ++i) before.insert({s.id[i], s.grains[i]});
+    s.run(300);
+    CHECK(s.contacts().size() > 50);
+    for (int i = 0; i < s.size(); ++i) {
+      const Grain &now = s.grains[i], &was = before.at(s.id[i]);
+      CHECK((now.R == was.R && now.m_inv == was.m_inv && now.R_inv == was.R_inv));
+      CHECK(norm(now.v - was.v) > 0);
+    }
+  }
 }
 TEST_CASE("exact: what nothing can turn keeps its orientation") {
   vector<Particle> all = swarm(6);

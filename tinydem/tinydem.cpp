@@ -275,7 +275,7 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
   const bool far = s.size() > crowd; const real side = s.printed ? -1 : 1;      // Eq. (47) [D3]
   const Four gravity{s.p.g.x, s.p.g.y, s.p.g.z, 0}, step{dt, dt, dt, 0};
-  Turn turn[block]; Block<Turn> all; real angle2[block];
+  Turn turn[block]; Block<Turn> hk; real angle2[block];
   for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
     for (int l = 0; l < n; ++l) { Grain& g = s.grains[at + l]; const real room = g.room;
       if (far) s.grains[min(at + l + block, b.last - 1)].fetch();
@@ -291,9 +291,9 @@ template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
       const real way = norm(dt * g.v); g.room = room - way, b.excess = max(b.excess, -g.room);
       if (!(way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
       if (!(square(g.w) < inf)) fail(b, at + l, "spins too fast for a finite energy"); }
-    if (orientation) { auto& q = s.turns[at / block]; all.gather(n, [&](int l) { return turn + l; });
+    if (orientation) { auto& q = s.turns[at / block]; hk.gather(n, [&](int l) { return turn + l; });
       for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
-        const Turn o = all.get(l); auto was = q.get(l), is = turned<false>(was, o.h, o.k, side);
+        const Turn o = hk.get(l); auto was = q.get(l), is = turned<false>(was, o.h, o.k, side);
         angle2[l] = square(o.h) + square(o.k); const bool small = angle2[l] <= small_angle2;
         q.set(l, {select(small, is.s, was.s), select(small, is.v, was.v)}); }
       for (int l = 0; l < n; ++l) if (angle2[l] > small_angle2)

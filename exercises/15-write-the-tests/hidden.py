@@ -13,7 +13,7 @@ HIDDEN = {
     "torque_on_the_other": ("c.rj * cross(fs, c.n)", "c.rj / 2 * cross(fs, c.n)"),
     "rolling_velocity": ("i.w - j.w", "i.w - T(0) * j.w"),
     "rolling_limit": ("mat.mur * load", "2 * mat.mur * load"),
-    "motion": ("x += step * v;", "x += step * (v - dt / 2 * a);"),
+    "motion": ("step * v", "step * (v - dt / 2 * a)"),
     "drag": ("stokes * g.R_inv * g.R_inv", "stokes * g.R_inv * g.R_inv / 2"),
-    "orientation": ("dt / 2 * g.w", "dt * g.w"),
+    "orientation": ("dt / 2 * w", "dt * w"),
 }

@@ -18,13 +18,13 @@ BROKEN = {
     "torque_on_the_other": [("c.rj * cross(fs, c.n)", "c.ri * cross(fs, c.n)")],
     "rolling_velocity": [("i.w - j.w", "i.w + j.w")],
     "rolling_limit": [("mat.mur * load", "mat.mus * load")],
-    "motion": [("x += step * v;", "x += step * (v - step * a);")],
+    "motion": [("step * v", "step * (v - step * a)")],
     "drag": [("stokes * g.R_inv * g.R_inv", "stokes * g.R_inv")],
     "orientation": [("s.printed ? -1 : 1", "-1")],
 }
 #: As right as the solver is, but the last digits differ.
 RIGHT = [
-    ("dt / 2 * g.w", "real(1.00000000000001) * dt / 2 * g.w"),
+    ("dt / 2 * w", "real(1.00000000000001) * dt / 2 * w"),
     ("c.Rstar * dot(w, c.n)", "dot(c.Rstar * w, c.n)"),
     ("kn * c.delta - cn * c.vn", "c.delta * kn - c.vn * cn * (1 + 1e-14)"),
 ]
