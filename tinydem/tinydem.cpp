@@ -269,7 +269,7 @@ template <bool large>
 INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real side) {
   const Quaternion phi = rotation<large>(h), theta = rotation<large>(k);        // Eq. (48)
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
-struct alignas(4 * sizeof(real)) Turn { Vec3 h; real a; Vec3 k; real b; };  // a, b: of no use
+struct alignas(4 * sizeof(real)) Turn { Vec3 h; real a; Vec3 k; real b; };  // a, b: fillers
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces. R, 1/m, 1/R have no step.
 template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
   const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;

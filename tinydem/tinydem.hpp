@@ -54,7 +54,7 @@ typedef Vec<real> Vec3; template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
 typedef real Two __attribute__((vector_size(2 * sizeof(real)), aligned(sizeof(real)), may_alias));
 typedef real Four __attribute__((vector_size(4 * sizeof(real)), may_alias));  // numbers at a time
-INLINE Four& four(Vec3& a) { return reinterpret_cast<Four&>(a); }  // and the number behind it
+INLINE Four& four(Vec3& a) { return reinterpret_cast<Four&>(a); }  // a and the number behind it
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
 /// nothing but arithmetic and `condition ? a : b` becomes vector instructions of `wide` numbers.
 constexpr int block = 32, wide = int(64 / sizeof(real)), crowd = 20000;  // too many for the cache
@@ -298,7 +298,7 @@ template <class T> struct Springs { Vec<T> us, ur; T ut; };
 struct Quaternion { real s = 1; Vec3 v{}; };
 inline Vec3 rotated(const Quaternion& q, const Vec3& a) {
   return a + 2 * cross(q.v, q.s * a + cross(q.v, a)); }
-/// A particle of the solver: also force, torque, the way that it may go with the list as it is.
+/// A particle of the solver: also force, way that it may go with the list, torque, and a filler.
 struct alignas(4 * sizeof(real)) Grain : Body<real> { Vec3 f; real room = 0; Vec3 t; real none = 0;
   INLINE void fetch() const { for (const real* a : {&x.x, &w.x, &t.x}) __builtin_prefetch(a); }
   real reach() const { return R + room; } Box box() const { return Box::around(x, reach()); } };
