@@ -1,7 +1,8 @@
 // Measures one thing per call and prints lines `name,value,unit`. bench.py calls it.
 //
 //   bench settle KIND N FILE [PARAMETER=VALUE ...]       make a state, let it settle, keep it
-//   bench stack BLOCK N FILE [PARAMETER=VALUE ...]       the same from copies of a settled one
+//   bench stack BLOCK N FILE [PARAMETER=VALUE ...]       the same from copies of a settled one,
+//                                                        across=M: M in x and y, or about a cube
 //   bench time FILE [OPTION ...] [PARAMETER=VALUE ...]   time per particle and step
 //   bench memory FILE [OPTION ...] [PARAMETER=VALUE ...] bytes per particle
 //   bench has PARAMETER                                  does the solver know it? (1 or 0)
@@ -24,7 +25,7 @@ namespace bench {
 
 struct Command {
   std::map<string, string> options{
-      {"mesh", "box"}, {"steps", "100"}, {"warm", "20"},
+      {"mesh", "box"}, {"steps", "100"}, {"warm", "20"}, {"across", "0"},
       {"repeats", "1"}, {"lists", "on"}, {"horizon", ""}, {"spins", "on"}};
   tinydem::vector<Setting> settings{{"Nspawn", "0", "bench"}, {"Rmesh", "0,0", "bench"}};
   /// Reads words `name=value` from the k-th on.
@@ -96,6 +97,9 @@ void settle(State state, const Command& c, const string& path) {
   print("particles", s.size(), "1");
   print("steps", state.steps, "1");
   print("unrest", state.unrest, "m g R");
+}
+void stack(const State& block, int N, const Command& c, const string& path) {
+  settle(stacked(block, N, int(c.whole("across", 0, 100))), c, path);
 }
 
 // --------------------------------------------------------------------------------------- timing
@@ -220,7 +224,7 @@ void run(const tinydem::vector<string>& words) {
   if (verb == "settle")
     need(4), settle(loose(words[1], particles(words[2])), Command(words, 4), words[3]);
   else if (verb == "stack")
-    need(4), settle(stacked(read(words[1]), particles(words[2])), Command(words, 4), words[3]);
+    need(4), stack(read(words[1]), particles(words[2]), Command(words, 4), words[3]);
   else if (verb == "time") need(2), time(read(words[1]), Command(words, 2));
   else if (verb == "memory") need(2), memory(words[1], Command(words, 2));
   else if (verb == "has") {

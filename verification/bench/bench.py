@@ -1,7 +1,7 @@
 """The bench: measures what a step costs, writes tables, CSV files, figures and one page.
 
     ./dem bench                       all parts (10 minutes on two cores; LAMMPS when installed)
-    ./dem bench --large               also 10^6 and 3 10^6 particles
+    ./dem bench --large               also 10^6, 3 10^6 and 9 10^6 particles; settling takes hours
     ./dem bench --only NAME ...       only these parts; the page keeps the others' last results
     bench.py --markdown               print the tables of the last results as Markdown
     bench.py --docs                   the same into docs/performance.md, between its two marks
@@ -210,7 +210,8 @@ def main():
                         help="only these parts: " + " ".join(PARTS))
     parser.add_argument("--lammps", action="store_true",
                         help="LAMMPS must be there (./dem bench --lammps installs it)")
-    parser.add_argument("--large", action="store_true", help="also 10^6 and 3 10^6 particles")
+    parser.add_argument("--large", action="store_true", 
+                        help="also 10^6, 3 10^6, 9 10^6 particles; settling takes hours")
     parser.add_argument("--smoke", action="store_true", help="tiny sizes, no report")
     parser.add_argument("--markdown", action="store_true", help="print the kept tables and stop")
     parser.add_argument("--docs", action="store_true",

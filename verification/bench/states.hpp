@@ -193,10 +193,10 @@ inline State scatter(tinydem::vector<double> radii, double share) {
   return s;
 }
 /// A settled packing repeated m times in x and y (every other one mirrored, so that walls meet
-/// walls) and stacked until there are N particles; the topmost are left out.
-inline State stacked(const State& block, int N) {
+/// walls) and stacked until there are N particles; the topmost are left out. m = 0: about a cube.
+inline State stacked(const State& block, int N, int m = 0) {
   State s = block;
-  const int n = count(block.particles), m = std::max(1, int(std::lround(std::cbrt(N / n))));
+  if (m == 0) m = std::max(1, int(std::lround(std::cbrt(N / count(block.particles)))));
   double top = 0;
   for (const Particle& a : block.particles) top = std::max(top, double(a.x.z + a.R));
   s.particles.clear(), s.L = m * block.L, s.H = 3 * s.L;
