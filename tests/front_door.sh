@@ -85,13 +85,16 @@ stub cmake 'echo "cmake $*" >> "$LOG"; mkdir -p "$COPY/build/default"; cd "$COPY
 cat > tinydem << "END"
 #!/bin/sh
 echo "tinydem $*" >> "$LOG"
-[ $# -lt 3 ] || mkdir -p "$3"
+while [ $# -gt 1 ]; do [ "$1" != --output ] || mkdir -p "$2"; shift; done
 END
 chmod +x tinydem'
 expect 0 'cmake --preset default -DTINYDEM_BUILD_TESTS=OFF' build
 never apt-get
-expect 0 "tinydem   $copy/output/box --scene $copy/tinydem/scenes/box/scene.ini" run box
+expect 0 "tinydem --output $copy/output/box --scene $copy/tinydem/scenes/box/scene.ini" run box
 expect 0 'scene.ini --overwrite --mus 0.1' run box --mus 0.1
+expect 0 'scene.ini --overwrite --mesh my.off' run box --mesh my.off
+expect 2 'a run is in output/SCENE' run box --output elsewhere
+expect 2 './dem render DIR' run box --output=elsewhere
 expect 0 'scene.ini --resume' run box --resume
 never --overwrite
 expect 0 'tinydem --help' run box --help
@@ -110,7 +113,7 @@ expect 0 "measure.py box box-other" run box --series
 never full.ini
 echo 'mesh = part.stl' >> "$copy/tinydem/scenes/box/scene.ini"
 expect 0 "mesh_tools.py $copy/tinydem/scenes/box/part.stl $copy/output/box.off" run box
-expect 0 "tinydem $copy/output/box.off  $copy/output/box --scene" run box
+expect 0 "tinydem --mesh $copy/output/box.off --output $copy/output/box --scene" run box
 expect 0 'render.py' run "$copy/tinydem/scenes/box/scene.ini"
 expect 8 'ctest --test-dir' test  # the exit code is that of ctest
 expect 0 'removed' clean
