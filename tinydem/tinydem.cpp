@@ -407,7 +407,7 @@ void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
     a.touching = a.j < 0 ? s->pairs[l].touching : 1; if (!friction) return;
     Springs<real> u = s->springs.get(l); if (mirrored) u.us = -u.us; b.springs.set(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
-void Simulation::find_pairs(Slab& b) {
+void Simulation::find_pairs(Slab& b) { vector<int> found;
   struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];  // as in Slab
   for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
@@ -415,9 +415,10 @@ void Simulation::find_pairs(Slab& b) {
       for (int k = i; k < last; ++k) box.add(grains[k].box());
       particle_tree.visit(box, [&](int j) {
         if (j > i || j < b.first) near.push_back({grains[j].x, grains[j].reach(), j}); }); }
-    for (const auto& [x, reach, j] : near)  // in a slab each pair once
-      if ((j > i || j < b.first) && close(x, reach))
-        f[square(g.x - x) >= square(g.R + grains[j].R)].push_back({i, j, 0});
+    int n = 0; found.resize(near.size()); for (const Other& o : near)  // a pair of a slab once
+      found[n] = o.j, n += (o.j > i || o.j < b.first) & close(o.x, o.reach);  // without a branch
+    for (int k = 0; k < n; ++k) { const Grain& c = grains[found[k]];
+      f[square(g.x - c.x) >= square(g.R + c.R)].push_back({i, found[k], 0}); }
     for (const Group& w : groups)
       w.tree.visit(Box::around(w.back(g.x), g.reach() + w.slack), [&](int k) {
         const Body<real> j = wall(w.tree.order[k], g.x);

@@ -4,7 +4,7 @@
 #ifdef __clang__
 #pragma STDC FP_CONTRACT OFF  // no fused multiply-add: the same bits on every instruction set
 #else                         // the same, and leave to compute what a condition then discards
-#pragma GCC optimize("fp-contract=off", "no-trapping-math", "no-tree-sink")
+#pragma GCC optimize("fp-contract=off,no-trapping-math,no-tree-sink,schedule-insns,sched-pressure")
 #endif
 #include <algorithm>
 #include <array>
@@ -269,8 +269,7 @@ struct Tree { static constexpr int leaf = 4; vector<int> order{};
     halve(box_of, sort, 1, 0, things); }
   template <class F> void halve(const F& box_of, bool sort, int k, int first, int last) {
     for (int i = first; i < last; ++i) boxes[k].add(box_of(order[i]));
-    if (last - first <= leaf) return;
-    const Vec3 d = boxes[k].high - boxes[k].low;
+    const Vec3 d = boxes[k].high - boxes[k].low; if (last - first <= leaf) return;
     const auto side = d.x >= max(d.y, d.z) ? &Vec3::x : d.y >= d.z ? &Vec3::y : &Vec3::z;
     const auto place = [&](int i) { const Box b = box_of(i); return b.low.*side + b.high.*side; };
     const int middle = (first + last) / 2;
