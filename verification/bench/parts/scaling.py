@@ -92,7 +92,8 @@ def compare(bench, lmp, kind, n, best):
                 jobs[f"lammps{ranks}"] = lambda ranks=ranks: lmp.run(
                     data, MATERIAL, box, ranks=ranks, steps=steps, warm=warm, wrap=bench.wrap,
                     **best)
-    results = bench.interleave(jobs, min(bench.repeats, 3) if n > 100_000 else None)
+    repeats = min(bench.repeats, 3) if n > 100_000 else bench.repeats * (3 if n <= 10_000 else 1)
+    results = bench.interleave(jobs, repeats)
     row = {"state": kind, "N": n, "settling": state["steps"], "unrest": state["unrest"],
            "steps": steps, **(best or {})}
     for key, result in results.items():
@@ -110,14 +111,14 @@ def measure(bench, lmp):
     return {"rows": rows, "lammps": lmp.version() if lmp.here else None}
 
 
-def exponent(rows, key, contacts=False):
+def exponent(rows, key, contacts=False, value="time"):
     """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings; contacts:
     the same with the number of contacts in place of N, since deep packings have more of them."""
     some = [r for r in rows if r["state"] == "packing" and f"{key}_time" in r]
     if len(some) < 2:
         return float("nan")
     n = np.array([r["N"] for r in some], float)
-    step = n * np.array([r[f"{key}_time"] for r in some])
+    step = n * np.array([r[f"{key}_{value}"] for r in some])
     if contacts:
         n *= [r["ours1_contacts"] for r in some]
     return float(np.polyfit(np.log(n), np.log(step), 1)[0])
@@ -130,10 +131,14 @@ def cell(row, key):
     return f"{row[f'{key}_time']:.0f} ± {100 * row[f'{key}_spread']:.0f} %"
 
 
-def ratio(row, n):
+def ratio(row, n, value="time"):
     if f"lammps{n}_time" not in row:
         return "–"
-    return f"{row[f'lammps{n}_time'] / row[f'ours{n}_time']:.2f}"
+    return f"{row[f'lammps{n}_{value}'] / row[f'ours{n}_{value}']:.2f}"
+
+
+def lowest(row, key):
+    return f"{row[f'{key}_low']:.0f}" if f"{key}_low" in row else "–"
 
 
 def tables(data):
@@ -141,17 +146,26 @@ def tables(data):
     keys = ("ours1", "ours2", "lammps1", "lammps2")
     names = dict(zip(keys, ("1 thread", "2 threads", "LAMMPS 1 rank", "2 ranks")))
     timed = [k for k in keys if f"{k}_time" in rows[0]]
+
+    def exponents(value="time"):
+        each, contacts = ([exponent(rows, k, over, value) for k in timed]
+                          for over in (False, True))
+        return (", ".join(f"{names[k]} {p:.2f}" for k, p in zip(timed, each)) +
+                "; over the number of contacts: " + ", ".join(f"{p:.2f}" for p in contacts) + ".")
+
     times = {"title": "ns per particle and step (median ± half the range)",
              "head": ["state", "N", "1 thread", "2 threads", "LAMMPS, 1 rank", "LAMMPS, 2 ranks",
                       "LAMMPS / ours, 1", "LAMMPS / ours, 2"],
              "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), *(cell(r, k) for k in keys),
                        ratio(r, 1), ratio(r, 2)] for r in rows],
-             "note": "Exponent p of (time of a step) ~ N^p over the packings: " + ", ".join(
-                 f"{names[k]} {exponent(rows, k):.2f}" for k in timed) +
-                 "; over the number of contacts: " + ", ".join(
-                     f"{exponent(rows, k, True):.2f}" for k in timed) + "." + (
+             "note": f"Exponent p of (time of a step) ~ N^p over the packings: {exponents()}" + (
                      f" LAMMPS {data['lammps']}." if data["lammps"] else
                      " LAMMPS is not installed: `./dem bench --lammps` installs it.")}
+    low = {"title": "The same runs: lowest of the repetitions, which neighbours disturb least",
+           "head": times["head"],
+           "rows": [[*line[:2], *(lowest(r, k) for k in keys), ratio(r, 1, "low"),
+                     ratio(r, 2, "low")] for r, line in zip(rows, times["rows"])],
+           "note": f"Exponents: {exponents('low')}"}
     more = {"title": "The same runs: how much there was to do",
             "head": ["state", "N", "settled in steps", "kinetic energy / Σ m g R",
                      "contacts per particle", "pairs per particle", "lists per 1000 steps",
@@ -168,7 +182,7 @@ def tables(data):
                      for r in rows],
             "note": "A contact or pair of two particles counts once (across the border of two "
                     "slabs of the solver a pair stands in both lists)."}
-    return [times, more]
+    return [times, low, more]
 
 
 def draw(data, folder):
