@@ -44,8 +44,9 @@ static void fail(Slab& b, int i,'''),
      '''      each_shift([&](const Vec3& d) {
         particle_tree.visit({box.low - d, box.high - d}, [&](int j) {
           if (j > i || j < b.first) near.push_back({grains[j].x + d, grains[j].reach(), j}); }); }); }'''),
-    ('if ((j > i || j < b.first) && close(x, reach))',
-     'if ((j > i || j < b.first) && is_shortest(g.x - x) && close(x, reach))'),
+    ('n += (o.j > i || o.j < b.first) & close(o.x, o.reach);',
+     'n += (o.j > i || o.j < b.first) & is_shortest(g.x - o.x) & close(o.x, o.reach);'),
+    ('f[square(g.x - c.x) >=', 'f[square(g.x - image(c, g.x).x) >='),
     ('for (Grain& g : grains) g.room =',
      'for (Grain& g : grains) g.x = in_box(g.x), g.room ='),
     ('all[id[i]] = {g.x, g.R,', 'all[id[i]] = {in_box(g.x), g.R,'),

@@ -24,7 +24,7 @@ CHANGES = [
      'if (p.j >= 0) static_cast<Body<real>&>(c) = s.beside(a.x, grains[p.j]);\n'
      '      if (p.j < 0) static_cast<Body<real>&>(c) ='),
     ('&j = *aj[l];', '&j = b.pairs[k[l]].j < 0 ? *aj[l] : grains[b.pairs[k[l]].j];'),
-    ('f[square(g.x - x) >=', 'f[square(rest(g.x - x, real(0.5))) >='),
+    ('f[square(g.x - c.x) >=', 'f[square(rest(g.x - c.x, real(0.5))) >='),
     (': Body<real>(grains[j]);', ': beside(bi.x, grains[j]);'),
     ('return square(g.x - x) < square(g.reach() + R); };',
      'return square(rest(g.x - x, real(0.5))) < square(g.reach() + R); };'),

@@ -1,6 +1,6 @@
 # loses: pair_across replicas shift_invariance history ring
 # A pair is listed for every image that the search comes upon.
 CHANGES = [
-    ('is_shortest(g.x - x) && close(x, reach)',
-     'square(image({x, 0, {}, 0, {}, 0}, g.x).x - g.x) < square(g.reach() + reach)'),
+    ('is_shortest(g.x - o.x) & close(o.x, o.reach)',
+     'square(image({o.x, 0, {}, 0, {}, 0}, g.x).x - g.x) < square(g.reach() + o.reach)'),
 ]
