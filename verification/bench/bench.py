@@ -210,7 +210,7 @@ def main():
                         help="only these parts: " + " ".join(PARTS))
     parser.add_argument("--lammps", action="store_true",
                         help="LAMMPS must be there (./dem bench --lammps installs it)")
-    parser.add_argument("--large", action="store_true", 
+    parser.add_argument("--large", action="store_true",
                         help="also 10^6, 3 10^6, 9 10^6 particles; settling takes hours")
     parser.add_argument("--smoke", action="store_true", help="tiny sizes, no report")
     parser.add_argument("--markdown", action="store_true", help="print the kept tables and stop")

@@ -113,7 +113,8 @@ def measure(bench, lmp):
 
 def exponent(rows, key, contacts=False, value="time"):
     """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings; contacts:
-    the same with the number of contacts in place of N, since deep packings have more of them."""
+    the same with the number of contacts in place of N, since deep packings have more of them;
+    value: "time" (the median) or "low" (the lowest of the repetitions)."""
     some = [r for r in rows if r["state"] == "packing" and f"{key}_time" in r]
     if len(some) < 2:
         return float("nan")
