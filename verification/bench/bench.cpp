@@ -3,7 +3,8 @@
 //   bench settle KIND N FILE [PARAMETER=VALUE ...]       make a state, let it settle, keep it
 //   bench stack BLOCK N FILE [PARAMETER=VALUE ...]       the same from copies of a settled one,
 //                                                        across=M: M in x and y, or about a cube
-//   bench time FILE [OPTION ...] [PARAMETER=VALUE ...]   time per particle and step
+//   bench time FILE [OPTION ...] [PARAMETER=VALUE ...]   time per particle and step, whole and of
+//                                                        each block of steps
 //   bench memory FILE [OPTION ...] [PARAMETER=VALUE ...] bytes per particle
 //   bench has PARAMETER                                  does the solver know it? (1 or 0)
 //   bench flags                                          what this was compiled with
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <numeric>
 
 #include "states.hpp"
 
@@ -113,26 +115,33 @@ double wall_contacts(const Simulation& s) {
   const auto all = s.contacts();
   return double(std::count_if(all.begin(), all.end(), [](auto& c) { return c.element >= 0; }));
 }
-/// What happened in a number of steps.
+/// What happened in a number of steps. Runs are the same bits each time, so the k-th block of steps
+/// is the same work in every repetition, and its lowest time is the one that was disturbed least.
 struct Timing {
-  double seconds = 0, horizon = 0;
-  long steps = 0, rebuilds = 0;
+  tinydem::vector<double> blocks;  // seconds
+  double horizon = 0;
+  long rebuilds = 0;
+  void run(Simulation& s, long steps) {
+    const double start = now();
+    s.run(steps);
+    blocks.push_back(now() - start);
+  }
 };
-/// Steps with the solver's own horizon.
+/// Steps with the solver's own horizon, in at most 200 blocks (LAMMPS gets the same ones).
 Timing plain(Simulation& s, long steps) {
-  const long before = s.rebuilds;
-  const double start = now();
-  s.run(steps);
-  return {now() - start, double(s.horizon), steps, s.rebuilds - before};
+  const long before = s.rebuilds, block = (steps + 199) / 200;
+  Timing t;
+  for (long k = 0; k < steps; k += block) t.run(s, std::min(block, steps - k));
+  t.horizon = double(s.horizon), t.rebuilds = s.rebuilds - before;
+  return t;
 }
 /// Steps one by one; those in which a list is built are not counted.
 Timing without_lists(Simulation& s, long steps) {
   Timing t;
-  while (t.steps < steps) {
+  while (count(t.blocks) < steps) {
     const long before = s.rebuilds;
-    const double start = now();
-    s.run(1);
-    if (s.rebuilds == before) t.seconds += now() - start, ++t.steps;
+    t.run(s, 1);
+    if (s.rebuilds > before) t.blocks.pop_back();
   }
   return t;
 }
@@ -140,14 +149,12 @@ Timing without_lists(Simulation& s, long steps) {
 /// it by a tenth up or down and then uses it, so what was used is averaged over the lists.
 Timing held(Simulation& s, long steps, real h) {
   Timing t;
-  const double start = now();
   for (long k = 0; k < steps; ++k) {
     const long before = s.rebuilds;
     if (h > 0) s.horizon = h;
-    s.run(1);
+    t.run(s, 1);
     if (s.rebuilds > before) ++t.rebuilds, t.horizon += double(s.horizon);
   }
-  t.seconds = now() - start, t.steps = steps;
   t.horizon = t.rebuilds > 0 ? t.horizon / double(t.rebuilds) : double(s.horizon);
   return t;
 }
@@ -159,18 +166,23 @@ void time(const State& state, const Command& c) {
   const Mesh mesh = walls(c.options.at("mesh"), state);
   auto particles = state.particles;
   if (!spins) for (Particle& a : particles) a.w = {};
-  tinydem::vector<double> ns;
+  tinydem::vector<double> ns, lowest(size_t(steps), HUGE_VAL);
   for (long k = c.whole("repeats", 1, 1e6); k-- > 0;) {
     Simulation s(c.parameters(state), mesh, particles);
     if (hold) held(s, warm, h);
     else s.run(warm);
     const Timing t = hold ? held(s, steps, h) : lists ? plain(s, steps)
                                              : without_lists(s, steps);
-    const double N = s.size();
-    ns.push_back(1e9 * t.seconds / double(t.steps) / N);
+    const double N = s.size(), scale = 1e9 / double(steps) / N;
+    ns.push_back(scale * std::accumulate(t.blocks.begin(), t.blocks.end(), 0.));
+    lowest.resize(t.blocks.size());
+    for (size_t b = 0; b < lowest.size(); ++b) lowest[b] = std::min(lowest[b], scale * t.blocks[b]);
     if (k > 0) continue;
     const double contacts = double(s.summary().contacts);
     print("time", median(ns), "ns");
+    std::printf("blocks");  // their parts of the time, separated by blanks
+    for (const double& b : lowest) std::printf("%c%.9g", &b == &lowest[0] ? ',' : ' ', b);
+    std::printf(",ns\n");
     print("contacts", contacts / N, "1");
     print("wall_contacts", wall_contacts(s) / N, "1");
     print("pairs", pairs(s) / N, "1");

@@ -7,7 +7,8 @@
     bench.py --docs                   the same into docs/performance.md, between its two marks
     bench.py --smoke                  tiny sizes; checks inputs and that all numbers are finite
 
-Runs of the same comparison are interleaved and medians taken. No number is judged: a bench that
+Runs of the same comparison are interleaved; medians are taken, and what undisturbed runs would take
+(machinery.summary). No number is judged: a bench that
 fails on a slow machine says nothing about the program. Programs: bench.cpp, machine.cpp, count.cpp.
 """
 import argparse
@@ -32,6 +33,7 @@ import report  # noqa: E402
 
 REPORT = HERE.parent / "report"
 DOCS = HERE.parents[1] / "docs" / "performance.md"
+FORM = 2  # of kept results; those of another form are left out of the page
 PARTS = ("scaling", "memory", "features", "sizes", "meshes", "horizon", "roofline",
          "accuracy")
 
@@ -116,8 +118,9 @@ def page(results, words):
 <html lang='en'><head><meta charset='utf-8'><title>TinyDEM: bench</title>
 <meta name='viewport' content='width=device-width'><style>{report.CSS}</style></head><body>
 <h1>TinyDEM: bench</h1>
-<p class='lead'>What a step costs, and why. Times are medians of interleaved runs and belong to the
-machine that is named below each chapter; ratios travel better than times.</p>
+<p class='lead'>What a step costs, and why. Runs of a comparison take turns. Undisturbed: every
+block of steps, the same work in each repetition, at its lowest time, added up. Times belong to the
+machine that is named below each chapter; ratios travel better.</p>
 <p><small>{html.escape(words)} <a href='index.html'>Verification</a></small></p>
 <nav><ol>{links}</ol></nav>
 {"".join(body)}
@@ -188,7 +191,7 @@ def run(bench, lmp, names):
         start = time.monotonic()
         data = part(name).measure(bench, lmp)
         seconds = time.monotonic() - start
-        result = {"data": data, "seconds": seconds, "date": date.today().isoformat(),
+        result = {"form": FORM, "data": data, "seconds": seconds, "date": date.today().isoformat(),
                   "machine": machine(bench)}
         (bench.build / "results").mkdir(exist_ok=True)
         (bench.build / "results" / f"{name}.json").write_text(json.dumps(result, indent=1))
@@ -199,9 +202,10 @@ def run(bench, lmp, names):
 
 
 def kept(bench):
-    """The last results of all parts that have some."""
+    """The last results of all parts that have some of this form."""
     paths = {name: bench.build / "results" / f"{name}.json" for name in PARTS}
-    return {name: json.loads(path.read_text()) for name, path in paths.items() if path.exists()}
+    results = {name: json.loads(path.read_text()) for name, path in paths.items() if path.exists()}
+    return {name: r for name, r in results.items() if r.get("form") == FORM}
 
 
 def main():

@@ -15,6 +15,12 @@ sys.path.insert(0, str(HERE.parents[1] / "tinydem"))
 import lammps  # noqa: E402  (after the path is set)
 from frames import HEADER, columns  # noqa: E402
 
+def clock(text):
+    """Seconds since the start of the last run in LAMMPS' output, from its lines `step, CPU`."""
+    table = re.split("Step +CPU", text)[-1].split("Loop time")[0]
+    return [float(line.split()[1]) for line in table.splitlines() if line.strip()]
+
+
 def write_data(state, path, rho):
     """The data file for a state (see machinery.read_state)."""
     L, H, rows = state["L"], state["H"], np.array(state["particles"], float)
@@ -52,15 +58,17 @@ class Lammps:
 
     def run(self, data, p, geometry, ranks=1, skin=0.5, newton="off", steps=100, warm=20,
             dump=0, wrap=()):
-        """One run; {time [ns], rebuilds [per 1000 steps], pairs per particle}.
+        """One run; {time [ns], blocks (see machinery.Bench.time), rebuilds [per 1000 steps], pairs
+        per particle}.
 
         data: file of write_data; p: parameters; geometry: {L, R, dt, N} with the mean radius R [m];
         skin in units of R; dump=1: writes what was read to
         read.dump. Raises RuntimeError with the end of LAMMPS' output when it fails.
         """
-        R = geometry["R"]
+        R, block = geometry["R"], (steps + 199) // 200  # as in bench.cpp
         variables = {"data": data, "newton": newton, "skin": skin * R, "dt": repr(geometry["dt"]),
                      "L": repr(geometry["L"]), "warm": warm, "steps": steps, "dump": dump,
+                     "block": block,
                      "pair": lammps.contact_words(p, R, R), "wall": lammps.contact_words(p, R)}
         words = [*wrap, *self.launcher(ranks), self.program, "-in", HERE / "in.packing",
                  "-log", "none"]
@@ -76,9 +84,16 @@ class Lammps:
         if (int(procs), int(count), int(atoms)) != (ranks, steps, geometry["N"]):
             raise RuntimeError(f"LAMMPS ran {loops[1]}, asked for {ranks} ranks, {steps} steps, "
                                f"{geometry['N']} particles")
+        times = clock(text)
+        if len(times) != 1 + -(-steps // block) or \
+                not abs(times[-1] - float(seconds)) < 0.02 * float(seconds) + 1e-3:
+            raise RuntimeError(f"LAMMPS' clock does not fit to {steps} steps in {seconds} s: "
+                               f"{len(times)} moments, the last after {times[-1:]} s")
         builds = re.findall(r"Neighbor list builds = (\d+)", text)
         pairs = re.findall(r"Ave neighs/atom = (\S+)", text)
-        return {"time": float(seconds) / steps / geometry["N"] * 1e9,
+        scale = 1e9 / steps / geometry["N"]
+        return {"time": float(seconds) * scale,
+                "blocks": [(b - a) * scale for a, b in zip(times, times[1:])],
                 "rebuilds": 1000 * float(builds[-1]) / steps, "pairs": float(pairs[-1])}
 
     def watch(self, words, env):

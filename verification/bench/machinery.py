@@ -10,12 +10,14 @@ import numpy as np
 #: The material of every part unless it says otherwise (dt: Eq. 50 of the smallest radius).
 MATERIAL = {"rho": 1e3, "E": 1e6, "nu": 0.3, "en": 0.5, "mus": 0.3, "mur": 0.3, "mut": 0.2}
 SMOOTH = {"mus": 0, "mur": 0, "mut": 0}  # no friction
+NOTE = "Times: undisturbed (median ± half the range); ratios are of the undisturbed ones."
 
 
 def parse(text):
-    """Lines `name,value,unit` as {name: value}."""
+    """Lines `name,value,unit` as {name: value}; `blocks` are several, separated by blanks."""
     rows = (line.split(",") for line in text.splitlines())
-    return {row[0]: float(row[1]) for row in rows}
+    return {row[0]: list(map(float, row[1].split())) if row[0] == "blocks" else float(row[1])
+            for row in rows}
 
 
 def read_state(path):
@@ -72,32 +74,48 @@ class Bench:
         return path
 
     def time(self, state, threads=1, program="bench", **settings):
-        """One timed run of a state: {time [ns], contacts, pairs, rebuilds, horizon, unrest}."""
+        """One timed run of a state: {time [ns], blocks, contacts, pairs, rebuilds, horizon,
+        unrest}; blocks: the parts of the time that are due to consecutive blocks of steps."""
         return self.call("time", state, *self.words({**MATERIAL, **settings}), threads=threads,
                          program=program, wrap=self.wrap)
 
-    def interleave(self, jobs, repeats=None):
+    def interleave(self, jobs, repeats=None, gather=None):
         """jobs: {key: function that returns {name: value}}, all called in turn, several times over.
 
-        Returns {key: {name: median, "low": smallest time, "high": largest}}; a single bad moment of
+        Returns {key: what `gather` (by default summary) makes of its runs}; a single bad moment of
         the machine hits one repetition of each job and not all of one job.
         """
         runs = {key: [] for key in jobs}
         for _ in range(repeats or self.repeats):
             for key, job in jobs.items():
                 runs[key].append(job())
-        return {key: summary(all_runs) for key, all_runs in runs.items()}
+        gather = gather or summary
+        return {key: gather(all_runs) for key, all_runs in runs.items()}
 
 
 def summary(runs):
-    """Medians of all values, and the range of the time."""
-    result = {name: statistics.median(r[name] for r in runs) for name in runs[0]}
-    times = [r["time"] for r in runs if "time" in r]
-    if times:
-        result.update(low=min(times), high=max(times))
+    """Medians of all values; of the time also the range ("low", "high") and its "floor": every
+    block of steps is the same work in all runs, so its lowest time is the least disturbed one, and
+    these add up to the time of a run that nothing disturbed."""
+    result = {name: statistics.median(r[name] for r in runs) for name in runs[0]
+              if name != "blocks"}
+    if "time" in result:
+        times = [r["time"] for r in runs]
+        floor = sum(map(min, zip(*(r["blocks"] for r in runs))))
+        result.update(low=min(times), high=max(times), floor=min(floor, *times))
     return result
+
+
+def highest(runs):
+    """The highest of all values, for rates: what disturbs a run lowers them."""
+    return {name: max(r[name] for r in runs) for name in runs[0]}
 
 
 def spread(result):
     """Half of the range of the repetitions, as a share of the median."""
     return (result["high"] - result["low"]) / 2 / result["time"]
+
+
+def cell(result):
+    """The time of a summary in words: floor (median ± half the range)."""
+    return (f"{result['floor']:.0f} ({result['time']:.0f} ± {100 * spread(result):.0f} %)")

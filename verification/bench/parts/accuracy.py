@@ -38,7 +38,7 @@ def measure(bench, lmp):
     if lmp.here:
         box, data = prepare(bench, path)
         jobs["LAMMPS"] = lambda: lmp.run(data, MATERIAL, box, skin=0.5, wrap=bench.wrap, **steps)
-    price = {k: r["time"] for k, r in bench.interleave(jobs, 1 if bench.smoke else 3).items()}
+    price = {k: r["floor"] for k, r in bench.interleave(jobs, bench.repeats).items()}
     dt0, work, rows = geometry(read_state(path))["dt"], impacts(bench), []
     for scheme in SCHEMES:
         some = style.where(work, method=scheme)

@@ -1,6 +1,6 @@
 """Price list: what each feature adds to the time of a step, on the same packing."""
 import style
-from machinery import MATERIAL, SMOOTH, spread
+from machinery import MATERIAL, NOTE, SMOOTH, cell, spread
 
 TITLE = "What a feature costs"
 TEXT = """The settled packing of 10⁴ spheres again, loaded anew for every repetition and timed
@@ -41,9 +41,9 @@ def jobs(bench):
 
 
 def measure(bench, lmp):
-    results = bench.interleave(jobs(bench), None if bench.smoke else 3)
-    full = results[FULL]["time"]
-    rows = [{"feature": name, **r, "relative": r["time"] / full, "spread": spread(r)}
+    results = bench.interleave(jobs(bench), bench.repeats * (1 if bench.smoke else 3))
+    full = results[FULL]["floor"]
+    rows = [{"feature": name, **r, "relative": r["floor"] / full, "spread": spread(r)}
             for name, r in results.items()]
     return {"rows": rows, "motion": bench.knows("motion")}
 
@@ -51,21 +51,21 @@ def measure(bench, lmp):
 def tables(data):
     return [{"title": "ns per particle and step, 10⁴ spheres, one thread",
              "head": ["", "ns", "ns per contact", "contacts per particle", "against full"],
-             "rows": [[r["feature"], f"{r['time']:.0f} ± {100 * r['spread']:.0f} %",
-                       f"{r['time'] / r['contacts']:.0f}", f"{r['contacts']:.2f}",
+             "rows": [[r["feature"], cell(r),
+                       f"{r['floor'] / r['contacts']:.0f}", f"{r['contacts']:.2f}",
                        f"{r['relative']:.2f}"] for r in data["rows"]],
-             "note": "" if data["motion"] else
-                     "Moving meshes: this solver has no parameter `motion`, not measured."}]
+             "note": NOTE + ("" if data["motion"] else
+                             " Moving meshes: this solver has no parameter `motion`.")}]
 
 
 def draw(data, folder):
     fig, ax = style.figure(1, 1, 4.8, 3.0)
     rows = data["rows"][::-1]
-    y = [r["time"] for r in rows]
-    error = [[r["time"] - r["low"] for r in rows], [r["high"] - r["time"] for r in rows]]
+    y = [r["floor"] for r in rows]
+    error = [[0] * len(rows), [r["time"] - r["floor"] for r in rows]]
     ax.barh([r["feature"] for r in rows], y, xerr=error, color=style.COLORS[5], capsize=2,
             error_kw={"linewidth": 0.8})
     ax.grid(False, axis="y")
     style.label(ax, "time per particle and step / ns", "")
     style.save(fig, folder, "bench_features")
-    return [("bench_features", "Time of a step by feature; bars: range of the repetitions.")]
+    return [("bench_features", "Time of a step by feature; undisturbed; lines: up to the median.")]

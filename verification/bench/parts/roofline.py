@@ -2,7 +2,7 @@
 import numpy as np
 
 import style
-from machinery import spread
+from machinery import highest, spread
 from parts.scaling import settled
 
 TITLE = "Roofline"
@@ -25,10 +25,11 @@ def measure(bench, lmp):
     short = ["short"] if bench.smoke else []
     limits = bench.interleave({
         f"{t}": (lambda t=t: bench.call(*short, threads=t, program="bench_machine",
-                                        wrap=bench.wrap)) for t in (1, 2)}, 1 if bench.smoke else 3)
+                                        wrap=bench.wrap)) for t in (1, 2)},
+        bench.repeats, highest)
     times = bench.interleave({
         n: (lambda n=n: bench.time(settled(bench, "packing", n), steps=steps.get(n, 20), warm=20))
-        for n in sizes}, 1 if bench.smoke else 3)
+        for n in sizes}, bench.repeats)
     rows = [{"N": n, **r, "spread": spread(r), **work(r, counts)} for n, r in times.items()]
     return {"rows": rows, "counts": counts, "limits": limits}
 
@@ -67,11 +68,11 @@ def tables(data):
         {"title": "A step of a settled packing against them, one thread",
          "head": ["N", "ns per particle", "10⁹ operations/s", "bytes", "operations per byte",
                   "arithmetic alone, ns", "traffic from memory alone, ns", "share of the larger"],
-         "rows": [[f"{r['N']:,}".replace(",", " "), f"{r['time']:.0f}",
-                   f"{operations(r) / r['time']:.2f}", f"{r['bytes']:.0f}",
+         "rows": [[f"{r['N']:,}".replace(",", " "), f"{r['floor']:.0f}",
+                   f"{operations(r) / r['floor']:.2f}", f"{r['bytes']:.0f}",
                    f"{operations(r) / r['bytes']:.2f}", f"{shortest(r, one):.0f}",
                    f"{1e9 * r['bytes'] / one['bandwidth_memory']:.0f}",
-                   f"{100 * bound(r, one) / r['time']:.0f} %"] for r in data["rows"]],
+                   f"{100 * bound(r, one) / r['floor']:.0f} %"] for r in data["rows"]],
          "note": "Operations: + − × ÷ √ alike. Small packings stay in a cache, where memory sets "
                  "no limit; there the share refers to memory all the same if that is the larger."}]
 
@@ -96,7 +97,7 @@ def draw(data, folder):
     ax.axhline(mix, color="0.4", linewidth=1, linestyle=(0, (2, 1.5)),
                label="the law's mix with ÷ and √")
     for k, r in enumerate(rows):
-        ax.loglog([operations(r) / r["bytes"]], [operations(r) / r["time"]], linestyle="none",
+        ax.loglog([operations(r) / r["bytes"]], [operations(r) / r["floor"]], linestyle="none",
                   color=style.COLORS[2 + k], marker=style.MARKERS[k], label=f"N = {r['N']:g}")
     style.label(ax, "operations per byte", "10⁹ operations per second", "one thread")
     ax.legend(loc="lower right", fontsize=6.5)

@@ -18,7 +18,7 @@ side, three by three, as high as one: more particles, but no more contacts each 
 which would need 13 GB). LAMMPS gets the same
 positions, radii, velocities and step, the same normal and sliding law, and its `sds` rolling
 and twisting; its skin and `newton` are the best of those tried at each N. LAMMPS' time is its
-own "Loop time"."""
+own "Loop time", its clock for the blocks of the second table is the `cpu` of its thermo lines."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
 #: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
 #: packings need long warm-ups until it has found its value.
@@ -60,9 +60,10 @@ def prepare(bench, path):
 
 
 def tune(bench, lmp, data, box, start=None):
-    """The best skin and `newton` of LAMMPS for a state, by short runs; start: a former result, of
-    which only the next smaller and larger skins are tried."""
-    steps = {"steps": max(2, STEPS.get(box["N"], (40, 10))[0] // 4), "warm": 10}
+    """The best skin and `newton` of LAMMPS for a state, by runs of its own; start: a former
+    result, of which only the next smaller and larger skins are tried."""
+    steps = {"steps": STEPS.get(box["N"], (40, 10))[0] // (4 if box["N"] > 100_000 else 1),
+             "warm": 10}
     skins, switches = SKINS, ("off", "on")
     if start:
         k = SKINS.index(start["skin"])
@@ -70,8 +71,8 @@ def tune(bench, lmp, data, box, start=None):
     jobs = {(s, w): (lambda s=s, w=w: lmp.run(data, MATERIAL, box, skin=s, newton=w,
                                              wrap=bench.wrap, **steps))
             for s in skins for w in switches}
-    tried = bench.interleave(jobs, 1 if bench.smoke or start else 2)
-    skin, newton = min(tried, key=lambda key: tried[key]["time"])
+    tried = bench.interleave(jobs, 1 if bench.smoke else 3 if box["N"] <= 100_000 else 2)
+    skin, newton = min(tried, key=lambda key: tried[key]["floor"])
     return {"skin": skin, "newton": newton}
 
 
@@ -114,7 +115,7 @@ def measure(bench, lmp):
 def exponent(rows, key, contacts=False, value="time"):
     """p in (time of a step) ~ N^p, least squares in the logarithms, over the packings; contacts:
     the same with the number of contacts in place of N, since deep packings have more of them;
-    value: "time" (the median) or "low" (the lowest of the repetitions)."""
+    value: "time" (the median) or "floor" (every block of steps at its lowest)."""
     some = [r for r in rows if r["state"] == "packing" and f"{key}_time" in r]
     if len(some) < 2:
         return float("nan")
@@ -125,21 +126,21 @@ def exponent(rows, key, contacts=False, value="time"):
     return float(np.polyfit(np.log(n), np.log(step), 1)[0])
 
 
-def cell(row, key):
-    """A time and its spread; a dash where there is none."""
+def median(row, key):
+    """A median and its spread; a dash where there is none."""
     if f"{key}_time" not in row:
         return "–"
     return f"{row[f'{key}_time']:.0f} ± {100 * row[f'{key}_spread']:.0f} %"
+
+
+def floor(row, key):
+    return f"{row[f'{key}_floor']:.1f}" if f"{key}_floor" in row else "–"
 
 
 def ratio(row, n, value="time"):
     if f"lammps{n}_time" not in row:
         return "–"
     return f"{row[f'lammps{n}_{value}'] / row[f'ours{n}_{value}']:.2f}"
-
-
-def lowest(row, key):
-    return f"{row[f'{key}_low']:.0f}" if f"{key}_low" in row else "–"
 
 
 def tables(data):
@@ -157,16 +158,17 @@ def tables(data):
     times = {"title": "ns per particle and step (median ± half the range)",
              "head": ["state", "N", "1 thread", "2 threads", "LAMMPS, 1 rank", "LAMMPS, 2 ranks",
                       "LAMMPS / ours, 1", "LAMMPS / ours, 2"],
-             "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), *(cell(r, k) for k in keys),
+             "rows": [[r["state"], f"{r['N']:,}".replace(",", " "), *(median(r, k) for k in keys),
                        ratio(r, 1), ratio(r, 2)] for r in rows],
              "note": f"Exponent p of (time of a step) ~ N^p over the packings: {exponents()}" + (
                      f" LAMMPS {data['lammps']}." if data["lammps"] else
                      " LAMMPS is not installed: `./dem bench --lammps` installs it.")}
-    low = {"title": "The same runs: lowest of the repetitions, which neighbours disturb least",
+    low = {"title": "The same runs, undisturbed: every block of steps at the lowest of its "
+                    "repetitions, added up",
            "head": times["head"],
-           "rows": [[*line[:2], *(lowest(r, k) for k in keys), ratio(r, 1, "low"),
-                     ratio(r, 2, "low")] for r, line in zip(rows, times["rows"])],
-           "note": f"Exponents: {exponents('low')}"}
+           "rows": [[*line[:2], *(floor(r, k) for k in keys), ratio(r, 1, "floor"),
+                     ratio(r, 2, "floor")] for r, line in zip(rows, times["rows"])],
+           "note": f"Exponents: {exponents('floor')}"}
     more = {"title": "The same runs: how much there was to do",
             "head": ["state", "N", "settled in steps", "kinetic energy / Σ m g R",
                      "contacts per particle", "pairs per particle", "lists per 1000 steps",
@@ -177,7 +179,7 @@ def tables(data):
                        " (stacked)" if r["N"] >= 100_000 else ""),
                       f"{r['unrest']:.1e}", f"{r['ours1_contacts']:.2f}",
                       f"{r['ours1_pairs']:.2f}", f"{r['ours1_rebuilds']:.0f}",
-                      f"{1e9 / r['ours1_time']:.2e}", f"{1e9 / r['ours2_time']:.2e}",
+                      f"{1e9 / r['ours1_floor']:.2e}", f"{1e9 / r['ours2_floor']:.2e}",
                       f"{r['skin']}, {r['newton']}" if "skin" in r else "–",
                       f"{r['lammps1_rebuilds']:.0f}" if "lammps1_rebuilds" in r else "–"]
                      for r in rows],
@@ -194,8 +196,8 @@ def draw(data, folder):
         rows = [r for r in data["rows"] if r["state"] == "packing" and f"{key}_time" in r]
         if not rows:
             continue
-        y = np.array([r[f"{key}_time"] for r in rows])
-        error = [y - [r[f"{key}_low"] for r in rows], [r[f"{key}_high"] for r in rows] - y]
+        y = np.array([r[f"{key}_floor"] for r in rows])
+        error = [0 * y, [r[f"{key}_time"] for r in rows] - y]
         ax.errorbar([r["N"] for r in rows], y, error, capsize=2, label=name, **style.cycle(k))
     ax.set_xscale("log")
     ax.set_yscale("log")
@@ -204,4 +206,4 @@ def draw(data, folder):
     style.label(ax, "particles", "time per particle and step / ns", "settled packing")
     ax.legend()
     style.save(fig, folder, "bench_scaling")
-    return [("bench_scaling", "Time per particle and step; bars: range of the repetitions.")]
+    return [("bench_scaling", "Time per particle and step, undisturbed; bars: up to the median.")]
