@@ -213,6 +213,36 @@ TEST_CASE("exact: pairs that touched when they were listed move alike whether th
   }
 }
 
+TEST_CASE("exact: the reach follows the cost of a list over that of its idle pairs") {
+  Simulation s(scene("g = 0,0,-9.81; en = 0.9"), open_box(real(0.17), 1, real(-0.18)), swarm(15));
+  long wider = 0, narrower = 0;
+  for (int k = 0; k < 2000; ++k) {
+    double list = 50. * s.size(), idle = 0;
+    for (const Slab& b : s.slabs) list += 25. * double(b.contacts), idle += double(b.pairs.size()) - double(b.contacts);
+    const double shares = double(1 + 2 * s.rooms / (s.rooms + s.radii)), age = double(s.steps - s.listed_at);
+    const real before = s.horizon;
+    const long lists = s.rebuilds;
+    s.run(1);
+    if (s.rebuilds == lists) {
+      CHECK(s.horizon == before);
+      continue;
+    }
+    const double ratio = idle * age * shares > 0 ? std::pow(list / (idle * age * shares), 0.25) : 2;
+    const double expected = max(0.2, min(20., double(before) * max(0.8, min(1.5, ratio))));
+    if (lists > 1) CHECK(std::abs(double(s.horizon) / expected - 1) < 1e-14);
+    wider += s.horizon > before, narrower += s.horizon < before;
+  }
+  CHECK(wider > 3);
+  CHECK(narrower > 3);
+}
+TEST_CASE("exact: the reach stays a number while lists are renewed and nothing is there") {
+  Simulation s(scene("motion = 0 vibrate 0,0,0.1 50"), open_box(1, 1), {});
+  s.run(3000);
+  CHECK(s.rebuilds > 10);
+  CHECK(s.horizon >= real(0.2));
+  CHECK(s.horizon <= 20);
+}
+
 /// Pairs that are not listed and could meet before one of them has used up its room.
 static long unguarded(const Simulation& s) {
   std::map<Key, int> listed;

@@ -320,8 +320,7 @@ Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Part
   motion_phase = spins && p.orientation == "on" ? best<motion<true>>() : best<motion<false>>();
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
-                : best_forces<0, 0, 0>();
-  groups.resize(p.Rmesh.size()), read_motion(p, groups);
+                : best_forces<0, 0, 0>(); groups.resize(p.Rmesh.size()), read_motion(p, groups);
   sort_elements(); for (const Particle& particle : initial) add(particle);
   list_neighbours(); Problems problems; real elastic = 0; each_contact([&](const Contact& c) {
     if (elastic += c.energy; !(c.delta <= c.R))
@@ -384,10 +383,11 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin; const real way = sl
   for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() / block + 2 : 1); }
 /// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
-  const double build = 120 / double(1 + 2 * rooms / (rooms + radii));  // in idle pairs per particle
-  double idle = 0; for (const Slab& b : slabs) idle += double(b.pairs.size()) - double(b.contacts);
-  const bool early = build * size() > idle * double(steps - listed_at);
-  if (!stale) horizon = std::clamp(horizon * real(early ? 1.1 : 0.9), real(0.2), real(20));
+  double list = 50. * size(), idle = 0; for (const Slab& b : slabs)  // costs, in idle pairs
+    list += 25. * double(b.contacts), idle += double(b.pairs.size()) - double(b.contacts);
+  idle *= double(steps - listed_at) * double(1 + 2 * rooms / (rooms + radii));
+  const real change = real(std::clamp(sqrt(sqrt(list / max(1., idle))), 0.8, 1.5));
+  if (!stale) horizon = std::clamp(change * horizon, real(0.2), real(20));
   rooms = 0; for (Grain& g : grains) g.room = slack(norm(g.v)), rooms += g.room;
   for (Group& g : groups) g.slack = g.moves ? slack(g.speed) : 0;
   const bool sort = particle_tree.order.empty() || rebuilds % 16 == 0;
