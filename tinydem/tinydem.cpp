@@ -215,13 +215,13 @@ bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool 
 struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
-  const Material<real> mat = s.material; Walls walls; b.contacts = 0;
+  const Material<real> mat = s.material; Walls walls; b.contacts = 0; Block<Springs<real>> spare{};
   int k[block]; Grain *ai[block], *aj[block], wall[block];  // places in the list, bodies
   Grain *const grains = s.grains.data(), *const head = grains + b.first, *tail = grains + b.last;
   const bool far = s.size() > crowd; Block<Body<real>> bi, bj; Block<Reaction> reactions;
   for (int next = 0, n = 0, end = count(b.pairs); next < end; b.contacts += n, n = 0) {
     const bool held = next < b.held;
-    auto* const us = held && M::any ? &b.springs[next / block] : &b.springs.back();
+    auto* const us = held && M::any ? &b.springs[next / block] : &spare;
     if (held) for (; n < block; ++n, ++next) {  // not asked: no force acts where they have parted
       const Pair& p = b.pairs[next]; k[n] = next, ai[n] = &grains[p.i], aj[n] = &grains[p.j]; }
     else for (; next < end && n < block; ++next) {
@@ -352,8 +352,7 @@ void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
   grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, 0, {}, 0});
-  id.push_back(count(id)), turns.resize(grains.size() / block + 1);
-  turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
+  id.push_back(count(id)), turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x)); }
 /// Is a sphere free? `near`: what it may touch before it has gone that `way`.
 bool Simulation::is_free(const Vec3& x, real R, real way, vector<int>& near) const {
@@ -379,8 +378,7 @@ void Simulation::spawn() { const Vec3 box = p.smax - p.smin; const real way = sl
     for (const int j : near) for (Slab& b : slabs) {  // the list goes on with the new pairs
       const bool home = b.first <= j && j < b.last;
       if (home || &b == &slabs.back()) b.pairs.push_back(home ? Pair{j, i, 0} : Pair{i, j, 0}); }
-    stale = stale || size() > count(particle_tree.order) + 100; }  // is_free asks them one by one
-  for (Slab& b : slabs) b.springs.resize(friction ? b.pairs.size() / block + 2 : 1); }
+    stale = stale || size() > count(particle_tree.order) + 100; }}  // is_free asks them one by one
 /// Sorts particles; `horizon` balances the cost of a list against that of its idle pairs.
 void Simulation::sort_particles() {
   double list = 50. * size(), idle = 0; for (const Slab& b : slabs)  // costs, in idle pairs
@@ -408,7 +406,7 @@ void Simulation::recall(Slab& b, int k) const { Pair& a = b.pairs[k];
     Springs<real> u = s->springs.get(l); if (mirrored) u.us = -u.us; b.springs.set(k, u); }}
 /// Lists what the particles of a slab may touch before one of them has left its reach.
 void Simulation::find_pairs(Slab& b) { vector<int> found;
-  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];  // as in Slab
+  struct Other { Vec3 x; real reach; int j; }; vector<Other> near; vector<Pair> f[3];  // see Slab
   for (int i = b.first, last = i; i < b.last; ++i) { const Grain& g = grains[i];
     const auto close = [&](auto& x, real R) { return square(g.x - x) < square(g.reach() + R); };
     if (i == last) { Box box; near.clear(), last = min(i + 8, b.last);  // search together
@@ -424,8 +422,9 @@ void Simulation::find_pairs(Slab& b) { vector<int> found;
         const Body<real> j = wall(w.tree.order[k], g.x);
         if (close(j.x, j.R + w.slack)) f[2].push_back({i, -1 - w.tree.order[k], 0}); }); }
   b.pairs.reserve(f[0].size() + f[1].size() + f[2].size()); b.held = count(f[0]) / block * block;
-  for (const auto& all : f) b.pairs.insert(b.pairs.end(), all.begin(), all.end());
-  b.springs.resize(friction ? b.pairs.size() / block + 2 : 1);
+  for (const auto* a : {f, f + 2, f + 1}) b.pairs.insert(b.pairs.end(), a->begin(), a->end());
+  b.springs.reserve(friction ? b.pairs.size() / block + 1 : 0);  // memory that nothing touches yet
+  b.springs.resize(friction ? f[0].size() / block + 1 : 0);
   for (int k = 0; k < count(b.pairs); ++k) if (k < count(f[0]) || b.pairs[k].j < 0) recall(b, k); }
 /// Builds the neighbour list anew and carries the friction history over.
 void Simulation::list_neighbours() {

@@ -82,9 +82,10 @@ template <class S> struct alignas(64) Block {
 #endif
 #pragma GCC unroll 64
       for (; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
-template <class S> struct Blocks : vector<Block<S>> {  // a long array of such structs
+template <class S> struct Blocks : vector<Block<S>> {  // a long array, which set() extends
   S get(int k) const { return (*this)[k / block].get(k % block); }
-  void set(int k, const S& s) { (*this)[k / block].set(k % block, s); } };
+  void set(int k, const S& s) { if (k / block >= count(*this)) this->resize(size_t(k) / block + 1);
+    (*this)[k / block].set(k % block, s); } };
 // ------------------------------------------------------------------------------- parameters
 /// Table 2 and the options of a run, a line each for all uses: name, type, default, dimension, ...
 #define TINYDEM_PARAMETERS(X)                                                                      \
@@ -315,8 +316,8 @@ struct Group { Tree tree{}; bool moves = false;
 /// Consecutive particles that one thread looks after. How many slabs there are follows from N
 /// alone and every sum has a fixed order: the same bits for every number of threads.
 struct Slab { int first = 0, last = 0, held = 0;  // so many pairs touched when they were listed
-  vector<Pair> pairs{};  // these, apart, with the mesh, spawned; a pair of two slabs is in both
-  Blocks<Springs<real>> springs{};  // of each pair, if the scene has friction; a block to spare
+  vector<Pair> pairs{};  // these, with the mesh, apart, spawned; a pair of two slabs is in both
+  Blocks<Springs<real>> springs{};  // of pairs, up to the last that touched, if there is friction
   long contacts = 0; real excess = -1;  // in the last step; way out of the sphere of the list [L]
   int culprit = -1; const char* reason = ""; bool failed = false; };  // an unstable particle
 struct Walls { int i = -1, first = 0; vector<Vec3> points{}; };  // near i, pairs from first on
