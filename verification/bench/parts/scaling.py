@@ -204,6 +204,7 @@ def draw(data, folder):
     ax.yaxis.set_major_formatter(lambda y, _: f"{y:g}")
     ax.yaxis.set_minor_formatter(lambda y, _: f"{y:g}" if f"{y:e}"[0] in "25" else "")
     style.label(ax, "particles", "time per particle and step / ns", "settled packing")
-    ax.legend()
+    ax.set_ylim(top=2.5 * ax.get_ylim()[1])  # room for the legend
+    ax.legend(ncol=2)
     style.save(fig, folder, "bench_scaling")
     return [("bench_scaling", "Time per particle and step, undisturbed; bars: up to the median.")]
