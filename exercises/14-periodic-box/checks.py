@@ -278,7 +278,8 @@ def history(ask):
             mesh = ((), ())
         scene = setting(dt=STEP / 4, mus=2, mur=0.5, en=0.8, Rmesh=0)
         good = simulate(ask, scene, start, mesh, frames=(400,), right=True)[0].spheres
-        touch = wrap(scale(-40 * STEP / 4, drift), L)  # they cross after some 40 steps
+        steps = 10 * (1 + k % 4)  # until they cross, so that some lists are built while they do
+        touch = wrap(scale(-steps * STEP / 4, drift), L)
         if k % 3 == 2:
             touch = (touch[0], touch[1], 0.0)
         inside = [Sphere(wrap(add(s.x, touch), L), s.R, s.v, s.w) for s in start]

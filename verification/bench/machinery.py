@@ -118,4 +118,4 @@ def spread(result):
 
 def cell(result):
     """The time of a summary in words: floor (median ± half the range)."""
-    return (f"{result['floor']:.0f} ({result['time']:.0f} ± {100 * spread(result):.0f} %)")
+    return f"{result['floor']:.0f} ({result['time']:.0f} ± {100 * spread(result):.0f} %)"

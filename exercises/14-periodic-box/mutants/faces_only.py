@@ -1,4 +1,4 @@
-# loses: spawning pair_across replicas shift_invariance
+# loses: spawning pair_across replicas shift_invariance history
 # Neighbour boxes behind faces, none behind edges and corners.
 CHANGES = [
     ('    use(Vec3{real(i) * L.x',

@@ -20,8 +20,7 @@ positions, radii, velocities and step, the same normal and sliding law, and its 
 and twisting; its skin and `newton` are the best of those tried at each N. LAMMPS' time is its
 own "Loop time", its clock for the blocks of the second table is the `cpu` of its thermo lines."""
 SKINS = (0.1, 0.25, 0.5, 1.0, 1.5, 2.0)  # of the mean radius
-#: Steps timed and steps before; the reach of the solver's list grows by a tenth per list, so large
-#: packings need long warm-ups until it has found its value.
+#: Steps timed and steps before: the reach of the solver's list needs some lists to find its value.
 STEPS = {1000: (2000, 400), 10_000: (400, 400), 100_000: (100, 300), 1_000_000: (60, 300),
          3_000_000: (25, 50), 9_000_000: (25, 50)}
 
