@@ -251,7 +251,7 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       const Reaction r = reactions.get(l); if (r.excess == -inf) continue;
       Grain &i = *ai[l], &j = *aj[l]; if (!(r.excess <= 0)) fail(b, int(&i - grains), j.R_inv > 0 ?
           "overlaps another by more than a radius" : "passes through a mesh element");
-      if (M::any && !held) b.springs.set(k[l], us->get(l));
+      if (M::any && !held) b.springs[k[l] / block].set(k[l] % block, us->get(l));  // no call
       i.f += r.f; if (M::any) i.t += r.ti;                                      // Eqs. (1, 2)
       if (&j < head || &j >= tail) continue;  // a wall, or the other slab adds to j
       j.f += -r.f; if (M::any) j.t += r.tj; }} }                                // Eqs. (56, 57)
