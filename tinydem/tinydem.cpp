@@ -82,8 +82,7 @@ Parameters resolve(const vector<Setting>& settings) {
     const auto low = used.find(split(o.range + 1, ',')[0]);
     return low == used.end() ? "default" : low->second.where; };
   if (std::isnan(p.mut)) p.mut = 2 * p.mus / 3;                                 // Eq. (41)
-  if (std::isnan(p.dt)) p.dt = default_step(p);
-  for (const Option& o : table)
+  if (std::isnan(p.dt)) { p.dt = default_step(p); } for (const Option& o : table)
     if (!in_range(o, p) && (used.count(o.name) || problems.count == 0))
       complain(o, used.count(o.name) ? used[o.name] : Setting{o.name, text(o), place(o)});
   return problems.stop_if_any(), p; }
@@ -97,7 +96,7 @@ template <class T> INLINE T select(bool c, T a, T b) { return c ? a : b; }
 template <class T> INLINE Vec<T> select(bool c, const Vec<T>& a, const Vec<T>& b) {
   return {select(c, a.x, b.x), select(c, a.y, b.y), select(c, a.z, b.z)}; }
 template <class T> Material<T> material_of(const Parameters& p) {
-  const T E = T(p.E), nu = T(p.nu), en = T(p.en); Material<T> m;
+  const T E = T(p.E), nu = T(p.nu), en = T(p.en); Material<T> m; m.unit = T(0.75 / pi / p.rho);
   m.Estar = E / (2 * (1 - nu * nu));                                            // Eq. (15)
   m.Gstar = E / (4 * (2 - nu) * (1 + nu));                                      // Eq. (16)
   m.beta = 1 / std::sqrt(1 + std::pow(T(pi) / std::log(en), T(2)));             // Eq. (21)
@@ -183,8 +182,8 @@ Body<real> Simulation::wall(int element, const Vec3& centre, const Vec3& v) cons
   const auto inside = [](real s) { return 0 < s && s < 1; };
   const bool above = e.n == 4 && inside(dot(c - f.a, f.u)) && inside(dot(c - f.a, f.v));
   Vec3 x = above ? c - dot(c - f.a, f.n) * f.n : closest_point(mesh, e, c);
-  const real R = p.Rmesh[e.group]; if (!g.moves) return {x, R, {}, 0, {}, 0};
-  return x = g.there(x), Body<real>{x, R, g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0, g.W, 0}; }
+  const real R = p.Rmesh[e.group]; if (!g.moves) return {{x, R, {}, 0}, {}, 0};
+  return x = g.there(x), Body<real>{{x, R, g.v + cross(g.W, x - p.dt / 2 * v - g.P), 0}, g.W, 0}; }
 /// Is pair k, a particle and the point c of a mesh element, a contact? A point that elements of a
 /// group share counts once, for the nearest. `heir`: a former contact that lost its point to k.
 bool Simulation::is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const {
@@ -216,9 +215,9 @@ struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
 template <class M> INLINE void forces(Simulation& s, Slab& b) {
   const Material<real> mat = s.material; Walls walls; b.contacts = 0; Block<Springs<real>> spare{};
-  int k[block]; Grain *ai[block], *aj[block], wall[block];  // places in the list, bodies
+  int k[block]; Grain *ai[block], *aj[block], wall[block]; const bool far = s.size() > crowd;
   Grain *const grains = s.grains.data(), *const head = grains + b.first, *tail = grains + b.last;
-  const bool far = s.size() > crowd; Block<Body<real>> bi, bj; Block<Reaction> reactions;
+  Block<std::conditional_t<M::any, Body<real>, Ball<real>>> bi, bj; Block<Reaction> reactions;
   for (int next = 0, n = 0, end = count(b.pairs); next < end; b.contacts += n, n = 0) {
     const bool held = next < b.held;
     auto* const us = held && M::any ? &b.springs[next / block] : &spare;
@@ -241,8 +240,8 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
         grains[b.pairs[min(next + l, b.held - 1)].j].fetch();
         if (M::any) __builtin_prefetch(us[1].c[0] + 8L * l); }
       for (int l = m; l < m + wide; ++l) {  // becomes vector instructions
-        const Approach<real> c = approach(bi.get(l), bj.get(l)); Springs<real> u{};
-        if (M::any) u = us->get(l);
+        const Approach<real> c = approach(body(bi.get(l), mat.unit), body(bj.get(l), mat.unit));
+        Springs<real> u{}; if (M::any) u = us->get(l);
         const Loads<real> r = contact_law<M>(c, u, mat); const bool parted = c.delta < 0;
         reactions.set(l, {r.f, r.ti, r.tj, parted ? -inf : c.delta - c.R - mat.dt * c.vn});
         if (M::any) us->set(l, {select(parted, {}, u.us), select(parted, {}, u.ur),
@@ -252,9 +251,10 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       Grain &i = *ai[l], &j = *aj[l]; if (!(r.excess <= 0)) fail(b, int(&i - grains), j.R_inv > 0 ?
           "overlaps another by more than a radius" : "passes through a mesh element");
       if (M::any && !held) b.springs[k[l] / block].set(k[l] % block, us->get(l));  // no call
-      i.f += r.f; if (M::any) i.t += r.ti;                                      // Eqs. (1, 2)
+      const Four f{r.f.x, r.f.y, r.f.z}, ti{r.ti.x, r.ti.y, r.ti.z}, tj{r.tj.x, r.tj.y, r.tj.z};
+      four(i.f) += f; if (M::any) four(i.t) += ti;                              // Eqs. (1, 2)
       if (&j < head || &j >= tail) continue;  // a wall, or the other slab adds to j
-      j.f += -r.f; if (M::any) j.t += r.tj; }} }                                // Eqs. (56, 57)
+      four(j.f) -= f; if (M::any) four(j.t) += tj; }} }                         // Eqs. (56, 57)
 /// p q for side = 1, q p for side = -1.
 INLINE Quaternion product(const Quaternion& p, const Quaternion& q, real side) {  // Eq. (49)
   return {p.s * q.s - dot(p.v, q.v), p.s * q.v + q.s * p.v + side * cross(p.v, q.v)}; }
@@ -271,26 +271,26 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
   return product(theta, product(phi, q, side), side); }                         // Eq. (47)
 struct alignas(4 * sizeof(real)) Turn { Vec3 h; real a; Vec3 k; real b; };  // a, b: fillers
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces. R, 1/m, 1/R have no step.
-template <bool orientation> INLINE void motion(Simulation& s, Slab& b) {
-  const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho; b.excess = -1;
+template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& b) {
+  const real dt = s.p.dt, unit = s.material.unit, stokes = real(4.5) * s.p.eta / s.p.rho;
   const bool far = s.size() > crowd; const real side = s.printed ? -1 : 1;      // Eq. (47) [D3]
-  const Four gravity{s.p.g.x, s.p.g.y, s.p.g.z, 0}, step{dt, dt, dt, 0};
+  const Four gravity{s.p.g.x, s.p.g.y, s.p.g.z, 0}, step{dt, dt, dt, 0}; b.excess = -1;
   Turn turn[block]; Block<Turn> hk; real angle2[block];
   for (int at = b.first; at < b.last; at += block) { const int n = min(block, b.last - at);
     for (int l = 0; l < n; ++l) { Grain& g = s.grains[at + l]; const real room = g.room;
       if (far) s.grains[min(at + l + block, b.last - 1)].fetch();
       Four &x = four(g.x), &v = four(g.v), &w = four(g.w), &f = four(g.f), &t = four(g.t);
-      const real c = stokes * g.R_inv * g.R_inv, gamma = real(10) / 3 * c;      // Eqs. (3, 4)
-      const Four a = g.m_inv * f + gravity - c * v;                             // Eq. (42)
-      const real I_inv = real(2.5) * g.m_inv * g.R_inv * g.R_inv;
-      const Four alpha = I_inv * t - gamma * w;                                 // Eq. (43)
-      four(turn[l].h) = dt / 2 * w, four(turn[l].k) = dt * dt / 4 * alpha;
+      const real R2_inv = square(g.R_inv), m_inv = spins ? g.m_inv : unit * g.R_inv * R2_inv;
+      const real c = stokes * R2_inv, gamma = real(10) / 3 * c;                 // Eqs. (3, 4)
+      const Four a = m_inv * f + gravity - c * v;                               // Eq. (42)
       v += step * a;                                                            // Eq. (44)
-      x += step * v;                                                            // Eq. (45)
-      w += step * alpha, f = t = Four{};                                        // Eq. (46)
+      x += step * v, f = Four{};                                                // Eq. (45)
+      if (spins) { const Four alpha = real(2.5) * m_inv * R2_inv * t - gamma * w; // Eq. (43)
+        four(turn[l].h) = dt / 2 * w, four(turn[l].k) = dt * dt / 4 * alpha;
+        w += step * alpha, t = Four{};                                          // Eq. (46)
+        if (!(square(g.w) < inf)) fail(b, at + l, "spins too fast for a finite energy"); }
       const real way = norm(dt * g.v); g.room = room - way, b.excess = max(b.excess, -g.room);
-      if (!(way <= g.R)) fail(b, at + l, "moved more than its radius in one step");
-      if (!(square(g.w) < inf)) fail(b, at + l, "spins too fast for a finite energy"); }
+      if (!(way <= g.R)) fail(b, at + l, "moved more than its radius in one step"); }
     if (orientation) { auto& q = s.turns[at / block]; hk.gather(n, [&](int l) { return turn + l; });
       for (int l = 0; l < padded(n); ++l) {  // becomes vector instructions
         const Turn o = hk.get(l); auto was = q.get(l), is = turned<false>(was, o.h, o.k, side);
@@ -313,11 +313,11 @@ template <Phase* phase> static Phase* best() { return base<phase>; }
 #endif
 template <bool... modes> static Phase* best_forces() { return best<forces<Modes<modes...>>>(); }
 Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Particle>& initial)
-    : p(table), mesh(m), printed(p.scheme == "paper"),
-      friction(printed || p.mus > 0 || p.mur > 0 || p.mut > 0), random(std::uint64_t(p.seed)),
-      material(material_of<real>(p)) {
-  bool spins = friction || square(p.w0) > 0; for (auto& a : initial) spins |= square(a.w) > 0;
-  motion_phase = spins && p.orientation == "on" ? best<motion<true>>() : best<motion<false>>();
+    : p(table), mesh(m), printed(p.scheme == "paper"), friction(printed || p.mus > 0 || p.mur > 0 ||
+      p.mut > 0), random(std::uint64_t(p.seed)), material(material_of<real>(p)) {
+  spins = friction || square(p.w0) > 0; for (auto& a : initial) spins |= square(a.w) > 0;
+  motion_phase = !spins ? best<motion<0, 0>>()
+               : p.orientation == "on" ? best<motion<1, 1>>() : best<motion<1, 0>>();
   force_phase = printed ? best_forces<1, 1, 1, 1>() : p.mur > 0 ? best_forces<1, 1, 1>()
                 : p.mut > 0 ? best_forces<1, 0, 1>() : p.mus > 0 ? best_forces<1, 0, 0>()
                 : best_forces<0, 0, 0>(); groups.resize(p.Rmesh.size()), read_motion(p, groups);
@@ -342,22 +342,22 @@ void Simulation::sort_elements() {
         boxes.back().add(Box::around(mesh.corner(e, c), p.Rmesh[group])),
         far = max(far, norm(mesh.corner(e, c) - g.P)); }
     g.tree.build(count(all), [&](int k) { return boxes[k]; });
-    for (int& k : g.tree.order) k = all[k];
-    g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W);
-    g.step = rotation<true>(p.dt / 2 * g.W); } move_mesh(); }
+    for (int& k : g.tree.order) { k = all[k]; } g.step = rotation<true>(p.dt / 2 * g.W);
+    g.speed = 2 * pi * abs(g.F) * norm(g.A) + norm(g.V) + far * norm(g.W); } move_mesh(); }
 void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     const real angle = 2 * pi * g.F * time() + g.phase;
     g.shift = (std::sin(angle) - std::sin(g.phase)) * g.A + time() * g.V;
     g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
     g.q = rotation<true>(time() / 2 * g.W); }}
-void Simulation::add(const Particle& a) { const real m = 4 * pi / 3 * p.rho * a.R * a.R * a.R;
-  grains.push_back({{a.x, a.R, a.v, 1 / m, a.w, 1 / a.R}, {}, 0, {}, 0});
+void Simulation::add(const Particle& a) {
+  const real R_inv = 1 / a.R, m_inv = material.unit * R_inv * square(R_inv), m = 1 / m_inv;
+  grains.push_back({{{a.x, a.R, a.v, R_inv}, a.w, m_inv}, {}, 0, {}, 0});
   id.push_back(count(id)), turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x)); }
 /// Is a sphere free? `near`: what it may touch before it has gone that `way`.
 bool Simulation::is_free(const Vec3& x, real R, real way, vector<int>& near) const {
   bool free = true; real far = way; for (const Slab& b : slabs) far = max(far, b.excess);
-  const auto check = [&](int j, const Body<real>& other, real slack) {
+  const auto check = [&](int j, const Ball<real>& other, real slack) {
     const real d2 = square(x - other.x); free &= d2 >= square(R + other.R);
     if (d2 < square(R + way + other.R + slack)) near.push_back(j); };
   const auto check_grain = [&](int j) { check(j, grains[j], grains[j].room); };
@@ -464,9 +464,8 @@ void Simulation::run(long n) {
       throw RunError("particle " + to_string(id[b.culprit] + 1) + " " + b.reason + " at t = " +
                      text(time()) + "; try a smaller --dt (now " + text(p.dt) +
                      "), a larger --E or thicker mesh elements"); }
-vector<Particle> Simulation::particles() const {
-  vector<Particle> all(grains.size()); for (int i = 0; i < size(); ++i) {
-    const Grain& g = grains[i]; const auto [s, v] = turns.get(i);
+vector<Particle> Simulation::particles() const { vector<Particle> all(grains.size());
+  for (int i = 0; i < size(); ++i) { const Grain& g = grains[i]; const auto [s, v] = turns.get(i);
     all[id[i]] = {g.x, g.R, g.v, {s, v.x, v.y, v.z}, g.w}; } return all; }
 template <class F> void Simulation::each_contact(const F& found) const {
   Material<real> mat = material; mat.dt = 0;  // look, do not advance
@@ -530,12 +529,11 @@ template <class F> static void write(const fs::path& path, const F& fill) {
   throw RunError(path.string() + ": cannot be written; free some space, then --resume"); }
 /// Writes particles*.csv, contacts*.csv, a line of log.csv and restart.bin.
 static Summary write_frame(Simulation& s, long frame, double speed) {
-  const fs::path folder = s.p.output;
-  const string number = to_string(1000000 + frame).substr(1) + ".csv";
-  write(folder / ("particles" + number), [&](auto& file) { file << csv_header << "\n";
+  const fs::path folder(s.p.output); const auto tag = to_string(1000000 + frame).substr(1) + ".csv";
+  write(folder / ("particles" + tag), [&](auto& file) { file << csv_header << "\n";
     for (const Particle& a : s.particles())
       file << text(Reals(&a.x.x, &a.w.z + 1), std::numeric_limits<real>::max_digits10) << "\n"; });
-  if (s.p.contacts == "on") write(folder / ("contacts" + number), [&](auto& file) {
+  if (s.p.contacts == "on") write(folder / ("contacts" + tag), [&](auto& file) {
     file << "i,j,element,delta,fnx,fny,fnz,fsx,fsy,fsz,usx,usy,usz,urx,ury,urz,ut\n";
     for (const Contact& c : s.contacts())
       file << c.i << "," << c.j << "," << c.element << "," << text(c.delta) << ","
@@ -610,8 +608,7 @@ static Command read_command(int argc, char** argv) { Command c{}; Parameters def
 static void run(const Command& command) { const auto settings = [&](const string& scene) {
     auto all = scene.empty() ? vector<Setting>() : read_scene(scene);
     all.insert(all.end(), command.settings.begin(), command.settings.end()); return resolve(all); };
-  Parameters p = settings(command.scene);
-  const string folder = p.output, ini = folder + "/scene.ini";
+  Parameters p = settings(command.scene); const auto folder = p.output, ini = folder + "/scene.ini";
   const bool resuming = command.resume && fs::exists(ini);
   if (resuming) p = settings(ini), p.output = folder;
   Simulation s(p, p.mesh.empty() ? Mesh() : read_mesh(p.mesh, p.Rmesh.size()),

@@ -52,7 +52,6 @@ template <class T> struct Vec { T x{}, y{}, z{};
   INLINE friend T norm(const Vec& a) { return sqrt(dot(a, a)); } };
 typedef Vec<real> Vec3; template <class T> INLINE T norm(T a) { return abs(a); }
 template <class T> INLINE T square(T a) { return a * a; }
-typedef real Two __attribute__((vector_size(2 * sizeof(real)), aligned(sizeof(real)), may_alias));
 typedef real Four __attribute__((vector_size(4 * sizeof(real)), may_alias));  // numbers at a time
 INLINE Four& four(Vec3& a) { return reinterpret_cast<Four&>(a); }  // a and the number behind it
 /// Structs of real numbers side by side: number k of struct l is c[k][l]. A loop over l that holds
@@ -67,18 +66,19 @@ template <class S> struct alignas(64) Block {
   INLINE void set(int l, const S& s) {
 #pragma GCC unroll 64
     for (int k = 0; k < size; ++k) c[k][l] = reinterpret_cast<const real*>(&s)[k]; }
-  /// Collects *at(0) ... *at(n - 1), four at a time; at(0) fills up the last instruction.
+  /// Collects *at(0) ... *at(n - 1), of 4, 8 ... numbers; at(0) fills up the last instruction.
   template <class F> INLINE void gather(int n, const F& at) {
     for (int l = 0; l < padded(n); l += 4) { const real* r[4]; int k = 0;
       for (int m = 0; m < 4; ++m) r[m] = reinterpret_cast<const real*>(at(l + m < n ? l + m : 0));
-#if __has_builtin(__builtin_shufflevector) && !defined(__clang_analyzer__)  // two at a time
-      const auto two = [&](int m) { return *reinterpret_cast<const Two*>(r[m] + k); };
+#if __has_builtin(__builtin_shufflevector) && !defined(__clang_analyzer__)  // transposed, 4 x 4
+#define TINYDEM_MIX(a, b, ...) __builtin_shufflevector(row(a), row(b), __VA_ARGS__)
+      const auto row = [&](int m) -> auto& { return *reinterpret_cast<const Four*>(r[m] + k); };
 #pragma GCC unroll 64
-      for (; k < size - 1 && sizeof(real) <= 8; k += 2) {
-        const auto a = __builtin_shufflevector(two(0), two(2), 0, 1, 2, 3);
-        const auto b = __builtin_shufflevector(two(1), two(3), 0, 1, 2, 3);
-        reinterpret_cast<Four&>(c[k][l]) = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-        reinterpret_cast<Four&>(c[k + 1][l]) = __builtin_shufflevector(a, b, 1, 5, 3, 7); }
+      for (; k < size && sizeof(real) <= 8; k += 4) for (int h = 0; h < 2; ++h) {
+        const Four a = h ? TINYDEM_MIX(0, 1, 1, 5, 3, 7) : TINYDEM_MIX(0, 1, 0, 4, 2, 6);
+        const Four b = h ? TINYDEM_MIX(2, 3, 1, 5, 3, 7) : TINYDEM_MIX(2, 3, 0, 4, 2, 6);
+        reinterpret_cast<Four&>(c[k + h][l]) = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+        reinterpret_cast<Four&>(c[k + 2 + h][l]) = __builtin_shufflevector(a, b, 2, 3, 6, 7); }
 #endif
 #pragma GCC unroll 64
       for (; k < size; ++k) for (int m = 0; m < 4; ++m) c[k][l + m] = r[m][k]; }} };
@@ -258,10 +258,9 @@ struct Box { Vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
   bool meets(const Box& b) const {
     return low.x <= b.high.x && low.y <= b.high.y && low.z <= b.high.z &&
            b.low.x <= high.x && b.low.y <= high.y && b.low.z <= high.z; } };
-/// Boxes in boxes, halved across their longest side until `leaf` things are left: a query costs
-/// log(things), however different they are in size. What is near in `order` is near in space.
-struct Tree { static constexpr int leaf = 4; vector<int> order{};
-  vector<Box> boxes{};  // box k holds boxes 2k and 2k + 1
+/// Boxes in boxes (k holds 2k and 2k + 1), halved across their longest side until `leaf` things are
+/// left: a query costs log(things), whatever their sizes. What is near in `order` is near in space.
+struct Tree { static constexpr int leaf = 4; vector<int> order{}; vector<Box> boxes{};
   /// Without sorting, the things keep their order: right as well, and fast enough for small moves.
   template <class F> void build(int things, const F& box_of, bool sort = true) {
     int n = 1; while (n * leaf < things) { n *= 2; } order.resize(size_t(things));
@@ -289,10 +288,14 @@ struct Tree { static constexpr int leaf = 4; vector<int> order{};
 vector<Setting> read_scene(const string& path);
 /// Defaults, overwritten by the settings in turn, checked, with Eqs. (41) and (50) filled in.
 Parameters resolve(const vector<Setting>& settings = {});
-/// Constants of the contact law; T is the type of one number.
-template <class T> struct Material { T Estar, Gstar, beta, cs_cn, kn_ks, mus, mur, mut, dt; };
-/// Position, radius, velocity, 1/m, angular velocity, 1/R (walls: 1/m = 1/R = 0).
-template <class T> struct Body { Vec<T> x; T R; Vec<T> v; T m_inv; Vec<T> w; T R_inv; };
+/// Position, radius, velocity, 1/R; Body: also angular velocity, 1/m (walls: 1/m = 1/R = 0).
+template <class T> struct Ball { Vec<T> x; T R; Vec<T> v; T R_inv; };  // enough without friction
+template <class T> struct Body : Ball<T> { Vec<T> w; T m_inv; };
+template <class T> INLINE Body<T> body(const Body<T>& b, T) { return b; }
+template <class T> INLINE Body<T> body(const Ball<T>& b, T unit) {
+  return {b, {}, unit * b.R_inv * square(b.R_inv)}; }
+/// Constants of the contact law; T is the type of one number; unit: 1/m of a sphere of radius 1.
+template <class T> struct Material { T Estar, Gstar, beta, cs_cn, kn_ks, mus, mur, mut, dt, unit; };
 /// The history of a contact: displacements of the three friction springs [L], Eq. (51).
 template <class T> struct Springs { Vec<T> us, ur; T ut; };
 struct Quaternion { real s = 1; Vec3 v{}; };
@@ -347,7 +350,7 @@ struct Simulation {
   long steps = 0, rebuilds = 0, listed_at = 0, draws = 0;  // random numbers used
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 2, rooms = 0;  // not yet placed; see sort_particles [L]
-  bool printed, friction, stale = true;  // --scheme paper; the list must be built
+  bool printed, friction, spins, stale = true;  // --scheme paper; the list must be built
   std::mt19937_64 random; Material<real> material;
   void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
   bool step(); void list_neighbours();  // all threads of a team call these, one thread the others

@@ -22,10 +22,10 @@ template <class T> T OneContact<T>::delta() const {
 template <bool printed, class T>
 static Loading<T> load(const OneContact<T>& c, SpringState<T>& u, T dt) {
   const auto body = [&](const Sphere<T>& s) {
-    return Body<T>{s.x, s.R, s.v, 1 / c.mass(s), s.w, 1 / s.R};
+    return Body<T>{{s.x, s.R, s.v, 1 / s.R}, s.w, 1 / c.mass(s)};
   };
   const Body<T> bi = body(c.i);
-  const Body<T> bj = c.wall ? Body<T>{{c.i.x.x, c.i.x.y, T()}, T(), {}, T(), {}, T()} : body(c.j);
+  const Body<T> bj = c.wall ? Body<T>{{{c.i.x.x, c.i.x.y, T()}, T(), {}, T()}, {}, T()} : body(c.j);
   const Approach<T> a = approach(bi, bj);
   Material<T> m = material_of<T>(c.p);
   m.dt = dt;

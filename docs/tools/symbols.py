@@ -73,7 +73,7 @@ def parameters(root=ROOT):
 def members(root, file, struct):
     """{name: line} of the members of a struct without functions."""
     text = (root / file).read_text()
-    start = re.search(rf"\bstruct {struct} \{{", text)
+    start = re.search(rf"\bstruct {struct} (: [\w<>]+ )?\{{", text)
     if not start:
         raise Wrong(f"{file}: there is no struct {struct}")
     depth, end = 1, start.end()

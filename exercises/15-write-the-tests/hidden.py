@@ -14,6 +14,6 @@ HIDDEN = {
     "rolling_velocity": ("i.w - j.w", "i.w - T(0) * j.w"),
     "rolling_limit": ("mat.mur * load", "2 * mat.mur * load"),
     "motion": ("step * v", "step * (v - dt / 2 * a)"),
-    "drag": ("stokes * g.R_inv * g.R_inv", "stokes * g.R_inv * g.R_inv / 2"),
+    "drag": ("stokes * R2_inv", "stokes * R2_inv / 2"),
     "orientation": ("dt / 2 * w", "dt * w"),
 }

@@ -19,7 +19,7 @@ BROKEN = {
     "rolling_velocity": [("i.w - j.w", "i.w + j.w")],
     "rolling_limit": [("mat.mur * load", "mat.mus * load")],
     "motion": [("step * v", "step * (v - step * a)")],
-    "drag": [("stokes * g.R_inv * g.R_inv", "stokes * g.R_inv")],
+    "drag": [("stokes * R2_inv", "stokes * g.R_inv")],
     "orientation": [("s.printed ? -1 : 1", "-1")],
 }
 #: As right as the solver is, but the last digits differ.
