@@ -213,7 +213,7 @@ bool Simulation::touch_mesh(Slab& b, int k, const Body<real>& c, Walls& w, bool 
   return b.springs.set(k, u), touch; }
 struct Reaction { Vec3 f, ti, tj; real excess; };
 /// Forces in all contacts of a slab, a block at a time, added up in a fixed order.
-template <class M> INLINE void forces(Simulation& s, Slab& b) {
+template <class M, bool vectors = true> INLINE void forces(Simulation& s, Slab& b) {
   const Material<real> mat = s.material; Walls walls; b.contacts = 0; Block<Springs<real>> spare{};
   int k[block]; Grain *ai[block], *aj[block], wall[block]; const bool far = s.size() > crowd;
   Grain *const grains = s.grains.data(), *const head = grains + b.first, *tail = grains + b.last;
@@ -233,7 +233,8 @@ template <class M> INLINE void forces(Simulation& s, Slab& b) {
       if (p.j < 0) { if (touch || p.touching) touch = s.touch_mesh(b, next, c, walls, touch); }
       else if (touch != p.touching) { p.touching = touch; if (M::any) b.springs.set(next, {}); }
       k[n] = next, ai[n] = &a, aj[n] = &c, n += touch; }
-    bi.gather(n, [&](int l) { return ai[l]; }), bj.gather(n, [&](int l) { return aj[l]; });
+    bi.gather(n, [&](int l) { return ai[l]; }, vectors);
+    bj.gather(n, [&](int l) { return aj[l]; }, vectors);
     if (M::any && !held) for (int l = 0; l < n; ++l) us->set(l, b.springs.get(k[l]));
     for (int m = 0; m < n; m += wide) {  // and meanwhile the next ones come into the cache
       if (held && far) for (int l = m; l < m + wide; ++l) {
@@ -299,19 +300,19 @@ template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& 
       for (int l = 0; l < n; ++l) if (angle2[l] > small_angle2)
         q.set(l, turned<true>(q.get(l), turn[l].h, turn[l].k, side)); }}
   b.failed = b.culprit >= 0; }
-typedef void Phase(Simulation&, Slab&);  // of a step, for each instruction set; chosen at the start
 template <Phase* phase> void base(Simulation& s, Slab& b) { phase(s, b); }
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)  // one is enough to check
 #define TINYDEM_FOR(set) template <Phase* phase> __attribute__((target(set))) void
 TINYDEM_FOR("avx2") avx2(Simulation& s, Slab& b) { phase(s, b); }
 TINYDEM_FOR("avx512f,avx512vl,avx512dq") avx512(Simulation& s, Slab& b) { phase(s, b); }
-template <Phase* phase> static Phase* best() {
+template <Phase* phase, Phase* narrow = phase> static Phase* best() {
   const bool most = __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return most ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<phase>; }
+  return most ? avx512<phase> : __builtin_cpu_supports("avx2") ? avx2<phase> : base<narrow>; }
 #else
-template <Phase* phase> static Phase* best() { return base<phase>; }
+template <Phase* phase, Phase* narrow = phase> static Phase* best() { return base<narrow>; }
 #endif
-template <bool... modes> static Phase* best_forces() { return best<forces<Modes<modes...>>>(); }
+template <bool... modes> static Phase* best_forces() {
+  return best<forces<Modes<modes...>>, forces<Modes<modes...>, false>>(); }
 Simulation::Simulation(const Parameters& table, const Mesh& m, const vector<Particle>& initial)
     : p(table), mesh(m), printed(p.scheme == "paper"), friction(printed || p.mus > 0 || p.mur > 0 ||
       p.mut > 0), random(std::uint64_t(p.seed)), material(material_of<real>(p)) {
@@ -629,8 +630,7 @@ static void run(const Command& command) { const auto settings = [&](const string
     const double each = 1e-9 * (now() - start) / double(max(frame - first, 1L));
     if (isatty(2)) std::cerr << "\r" << long(each * double(p.Nframes - frame)) << " s to go   "; }}
 }  // namespace tinydem
-int main(int argc, char** argv) {
-  try { tinydem::run(tinydem::read_command(argc, argv)); } catch (const std::exception& e) {
-    std::cerr << "error: " << e.what() << std::endl;
-    return dynamic_cast<const tinydem::InputError*>(&e) ? 2 : 1; }}
+int main(int argc, char** argv) try { tinydem::run(tinydem::read_command(argc, argv)); }
+catch (const std::exception& e) { std::cerr << "error: " << e.what() << std::endl;
+  return dynamic_cast<const tinydem::InputError*>(&e) ? 2 : 1; }
 #endif

@@ -67,14 +67,14 @@ template <class S> struct alignas(64) Block {
 #pragma GCC unroll 64
     for (int k = 0; k < size; ++k) c[k][l] = reinterpret_cast<const real*>(&s)[k]; }
   /// Collects *at(0) ... *at(n - 1), of 4, 8 ... numbers; at(0) fills up the last instruction.
-  template <class F> INLINE void gather(int n, const F& at) {
+  /// vectors: four bodies at a time; slow where the processor has no vectors of four numbers.
+  template <class F> INLINE void gather(int n, const F& at, [[maybe_unused]] bool vectors = true) {
     for (int l = 0; l < padded(n); l += 4) { const real* r[4]; int k = 0;
       for (int m = 0; m < 4; ++m) r[m] = reinterpret_cast<const real*>(at(l + m < n ? l + m : 0));
 #if __has_builtin(__builtin_shufflevector) && !defined(__clang_analyzer__)  // transposed, 4 x 4
 #define TINYDEM_MIX(a, b, ...) __builtin_shufflevector(row(a), row(b), __VA_ARGS__)
       const auto row = [&](int m) -> auto& { return *reinterpret_cast<const Four*>(r[m] + k); };
-#pragma GCC unroll 64
-      for (; k < size && sizeof(real) <= 8; k += 4) for (int h = 0; h < 2; ++h) {
+      if (vectors && sizeof(real) <= 8) for (; k < size; k += 4) for (int h = 0; h < 2; ++h) {
         const Four a = h ? TINYDEM_MIX(0, 1, 1, 5, 3, 7) : TINYDEM_MIX(0, 1, 0, 4, 2, 6);
         const Four b = h ? TINYDEM_MIX(2, 3, 1, 5, 3, 7) : TINYDEM_MIX(2, 3, 0, 4, 2, 6);
         reinterpret_cast<Four&>(c[k + h][l]) = __builtin_shufflevector(a, b, 0, 1, 4, 5);
@@ -333,6 +333,7 @@ struct Contact { int i, j, element;
 struct Summary { long contacts = 0;
   real kinetic = 0, rotational = 0, potential = 0, elastic = 0, overlap = 0, steps = 0;
   real energy() const { return kinetic + rotational + potential + elastic; } };
+struct Simulation; typedef void Phase(Simulation&, Slab&);  // of a step, for an instruction set
 /// The solver. Throws InputError for particles that coincide or overlap by more than a radius.
 struct Simulation {
   explicit Simulation(const Parameters&, const Mesh& = {}, const vector<Particle>& initial = {});
@@ -351,8 +352,7 @@ struct Simulation {
   real supplied = 0, radii = 0;  // energy that came in with the particles [ML^2/T^2], sum of R [L]
   real spawn_radius = 0, horizon = 2, rooms = 0;  // not yet placed; see sort_particles [L]
   bool printed, friction, spins, stale = true;  // --scheme paper; the list must be built
-  std::mt19937_64 random; Material<real> material;
-  void (*force_phase)(Simulation&, Slab&), (*motion_phase)(Simulation&, Slab&);
+  std::mt19937_64 random; Material<real> material; Phase *force_phase, *motion_phase;
   bool step(); void list_neighbours();  // all threads of a team call these, one thread the others
   void sort_elements(), move_mesh(), sort_particles(), find_pairs(Slab& b), spawn();
   bool is_nearest(const Slab& b, int k, const Body<real>& c, Walls& w, int& heir) const;
