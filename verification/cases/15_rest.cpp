@@ -60,16 +60,16 @@ static void deflection(const Arguments& run, Metrics& metrics) {
     const double us = fs / s.ks, ur = r / R * fs / s.kn;
     Simulation sim = tilted("consistent", tilt);
     const Particle a = sim.particles()[0];
+    const auto contact = sim.contacts()[0];
     sim.run(std::lround((run.quick ? 1.0 : 10.0) / double(p.dt)));
     const Particle b = sim.particles()[0];
-    const auto contact = sim.contacts()[0];
-    const double measured[] = {double(b.x.x), double(contact.us.x), double(contact.ur.x)};
+    const double measured[] = {double(a.x.x), double(contact.us.x), double(contact.ur.x)};
     const double exact[] = {us + ur, us, ur};
-    turn = std::max(turn, std::abs(angle(b, 1) * r / ur - 1));
+    turn = std::max(turn, std::abs(angle(a, 1) * r / ur - 1));
     for (int k = 0; k < 3; ++k)
       worst = std::max(worst, std::abs(measured[k] - exact[k]) / (us + ur));
     creep = std::max(creep, std::abs(double(b.x.x - a.x.x)) / R);
-    csv.row(degrees, exact[0], measured[0], ur / r, angle(b, 1), measured[1], measured[2]);
+    csv.row(degrees, exact[0], measured[0], ur / r, angle(a, 1), measured[1], measured[2]);
   }
   metrics("deflection", worst);
   metrics("turn", turn);
