@@ -540,6 +540,9 @@ class Output(Folder):
     def test_a_restart_file_of_another_program(self):
         self.damaged(lambda data: b"TinyDEM 9" + data[9:])
 
+    def test_a_restart_file_of_an_older_version(self):
+        self.damaged(lambda data: b"TinyDEM 0.0" + data[11:])
+
     def test_a_restart_file_without_its_frame(self):
         self.damaged(lambda data: data.replace(b" 12\n", b" xx\n", 1))
 

@@ -25,7 +25,7 @@ extern "C" float sqrtf(float) noexcept __attribute__((const));   // instruction 
 namespace tinydem {
 typedef TINYDEM_REAL real;  ///< the precision of everything: float, double or long double
 using std::abs, std::max, std::min, std::size_t, std::string, std::to_string;
-const real pi = real(3.14159265358979323846264338327950288L); const char* const version = "0.1.0";
+const real pi = real(3.14159265358979323846264338327950288L); const char* const version = "0.1.1";
 const real inf = real(HUGE_VAL), unset = real(NAN);  ///< unset stands for "use the formula"
 const real same_point = std::cbrt(std::numeric_limits<real>::epsilon());  ///< distance / radius
 /// std::vector with indices of any type of whole number.
