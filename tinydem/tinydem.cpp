@@ -273,7 +273,7 @@ INLINE Quaternion turned(const Quaternion& q, const Vec3& h, const Vec3& k, real
 struct alignas(4 * sizeof(real)) Turn { Vec3 h; real a; Vec3 k; real b; };  // a, b: fillers
 /// Eqs. (42)-(49) for the particles of a slab; clears their forces. R, 1/m, 1/R have no step.
 template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& b) {
-  const real dt = s.p.dt, unit = s.material.unit, stokes = real(4.5) * s.p.eta / s.p.rho;
+  const real dt = s.p.dt, stokes = real(4.5) * s.p.eta / s.p.rho;
   const bool far = s.size() > crowd; const real side = s.printed ? -1 : 1;      // Eq. (47) [D3]
   const Four gravity{s.p.g.x, s.p.g.y, s.p.g.z, 0}, step{dt, dt, dt, 0}; b.excess = -1;
   Turn turn[block]; Block<Turn> hk; real angle2[block];
@@ -281,12 +281,12 @@ template <bool spins, bool orientation> INLINE void motion(Simulation& s, Slab& 
     for (int l = 0; l < n; ++l) { Grain& g = s.grains[at + l]; const real room = g.room;
       if (far) s.grains[min(at + l + block, b.last - 1)].fetch();
       Four &x = four(g.x), &v = four(g.v), &w = four(g.w), &f = four(g.f), &t = four(g.t);
-      const real R2_inv = square(g.R_inv), m_inv = spins ? g.m_inv : unit * g.R_inv * R2_inv;
+      const real R2_inv = square(g.R_inv);
       const real c = stokes * R2_inv, gamma = real(10) / 3 * c;                 // Eqs. (3, 4)
-      const Four a = m_inv * f + gravity - c * v;                               // Eq. (42)
+      const Four a = g.m_inv * f + gravity - c * v;                             // Eq. (42)
       v += step * a;                                                            // Eq. (44)
       x += step * v, f = Four{};                                                // Eq. (45)
-      if (spins) { const Four alpha = real(2.5) * m_inv * R2_inv * t - gamma * w; // Eq. (43)
+      if (spins) { const Four alpha = real(2.5) * g.m_inv * R2_inv * t - gamma * w; // Eq. (43)
         four(turn[l].h) = dt / 2 * w, four(turn[l].k) = dt * dt / 4 * alpha;
         w += step * alpha, t = Four{};                                          // Eq. (46)
         if (!(square(g.w) < inf)) fail(b, at + l, "spins too fast for a finite energy"); }
@@ -351,8 +351,8 @@ void Simulation::move_mesh() { for (Group& g : groups) if (g.moves) {
     g.v = 2 * pi * g.F * std::cos(angle - pi * g.F * p.dt) * g.A + g.V;
     g.q = rotation<true>(time() / 2 * g.W); }}
 void Simulation::add(const Particle& a) {
-  const real R_inv = 1 / a.R, m_inv = material.unit * R_inv * square(R_inv), m = 1 / m_inv;
-  grains.push_back({{{a.x, a.R, a.v, R_inv}, a.w, m_inv}, {}, 0, {}, 0});
+  Grain g{body(Ball<real>{a.x, a.R, a.v, 1 / a.R}, material.unit), {}, 0, {}, 0};
+  g.w = a.w, grains.push_back(g); const real m = 1 / g.m_inv;
   id.push_back(count(id)), turns.set(size() - 1, {a.q[0], {a.q[1], a.q[2], a.q[3]}});
   radii += a.R, supplied += m * (square(a.v) / 2 + square(a.R) * square(a.w) / 5 - dot(p.g, a.x)); }
 /// Is a sphere free? `near`: what it may touch before it has gone that `way`.
